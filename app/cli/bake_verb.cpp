@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/output.h"
+#include "app/cli/table_output.h"
+#include "app/cli/verbs.h"
+#include "core/exchange/table_files.h"
+
+namespace nacre::cli {
+namespace {
+
+struct BakeVerbOptions {
+    std::string design;
+    std::string folder;
+    int threads = 0;
+    bool json = false;
+};
+
+std::string json_summary(const WrittenTables& written, const std::string& folder) {
+    const Tables& tables = *written.tables;
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const TablePicture& picture : table_pictures(tables))
+        files.push_back({{"file", picture.file},
+                         {"width", picture.size.x},
+                         {"height", picture.size.y},
+                         {"channels", picture.channels.size()},
+                         {"bytes", picture.values.size() * sizeof(float)}});
+    const nlohmann::ordered_json json = {{"folder", folder},
+                                         {"seconds", tables.seconds},
+                                         {"symmetry", name_of(tables.plan.symmetry.symmetry)},
+                                         {"table_bytes", tables.table_floats() * sizeof(float)},
+                                         {"tables", std::move(files)},
+                                         {"errors",
+                                          {{"g_between_nodes_worst", tables.area_error.worst},
+                                           {"g_between_nodes_rms", tables.area_error.root_mean_square},
+                                           {"g_worst", written.errors.area},
+                                           {"R_worst", written.errors.albedo},
+                                           {"g_directions", written.errors.area_directions},
+                                           {"R_directions", written.errors.albedo_directions}}}};
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string text_summary(const WrittenTables& written, const std::string& folder) {
+    const Tables& tables = *written.tables;
+    std::string text = fmt::format("{}\n", folder);
+    for (const TablePicture& picture : table_pictures(tables))
+        text += fmt::format("  {:<24} {:>5} x {:<5} {:>8} bytes\n", picture.file, picture.size.x,
+                            picture.size.y, picture.values.size() * sizeof(float));
+    text += fmt::format("  {:<24}\n", "manifest.json");
+    text += fmt::format("baked in {:.3f} s, symmetry {}\n", tables.seconds,
+                        name_of(tables.plan.symmetry.symmetry));
+    text += fmt::format("worst error: g {:.1e} relative ({} directions), R {:.1e} ({} directions)\n",
+                        written.errors.area, written.errors.area_directions, written.errors.albedo,
+                        written.errors.albedo_directions);
+    return text;
+}
+
+int bake_to_folder(const BakeVerbOptions& options, Interrupt& interrupt) {
+    const WrittenTables written = write_tables(options.design, options.folder, options.threads, interrupt);
+    write_output(options.json ? json_summary(written, options.folder)
+                              : text_summary(written, options.folder));
+    return 0;
+}
+
+}  // namespace
+
+void declare_bake(CLI::App& command, Action& action) {
+    const auto options = std::make_shared<BakeVerbOptions>();
+    command.add_option("DESIGN", options->design, "a .nacre file")->required();
+    command
+        .add_option("-o,--output", options->folder, "the folder for the tables, made when it is not there")
+        ->required();
+    command
+        .add_option("--threads", options->threads,
+                    "at most this many (default: all); the tables do not depend on it")
+        ->check(CLI::Range(1, 1024));
+    command.add_flag("--json", options->json, "times, sizes and measured errors as JSON");
+    command.callback([options, &action] {
+        action = [options](Interrupt& interrupt) { return bake_to_folder(*options, interrupt); };
+    });
+}
+
+}  // namespace nacre::cli

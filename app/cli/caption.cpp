@@ -1,0 +1,103 @@
+#include "app/cli/caption.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "ui/fonts.h"
+
+namespace nacre::cli {
+namespace {
+
+constexpr int oversampling = 2;
+constexpr ImWchar letters[] = {0x20,   0x24F,  0x370, 0x52F,
+                               0x2010, 0x2027, 0};  // Latin, Greek, Cyrillic, marks
+
+// Of valid UTF-8; what lies beyond the letters of the typeface becomes its replacement.
+std::vector<ImWchar> code_points(const std::string& utf8) {
+    std::vector<ImWchar> codes;
+    unsigned code = 0;
+    int rest = 0;
+    for (const char c : utf8) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80) {
+            code = byte;
+        } else if (byte < 0xC0) {
+            code = (code << 6) | (byte & 0x3Fu);
+            --rest;
+        } else {
+            rest = byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+            code = byte & (0x3Fu >> rest);
+        }
+        if (rest == 0) codes.push_back(static_cast<ImWchar>(code <= 0xFFFF ? code : 0xFFFD));
+    }
+    return codes;
+}
+
+double text_width(const ImFont& font, const std::vector<ImWchar>& codes) {
+    double sum = 0;
+    for (const ImWchar code : codes) sum += static_cast<double>(font.FindGlyph(code)->AdvanceX);
+    return sum / oversampling;
+}
+
+void blend(RenderedImage& image, int x, int y, float coverage, float grey) {
+    if (x < 0 || y < 0 || x >= image.size.x || y >= image.size.y) return;
+    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
+                                static_cast<std::size_t>(x));
+    for (std::size_t c = 0; c < 3; ++c) image.rgb[at + c] += coverage * (grey - image.rgb[at + c]);
+}
+
+}  // namespace
+
+CaptionFont::CaptionFont(int pixels) : atlas_(std::make_unique<ImFontAtlas>()) {
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.SizePixels = static_cast<float>(oversampling * pixels);
+    config.OversampleH = 1;
+    const std::span<const unsigned char> file = ui::font_regular();
+    if (file.empty()) {
+        atlas_->AddFontDefault(&config);
+    } else {
+        // Dear ImGui takes the font's bytes as writable and leaves them as they are.
+        atlas_->AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
+                                     config.SizePixels, &config, letters);
+    }
+    atlas_->Build();
+}
+
+CaptionFont::~CaptionFont() = default;
+
+void CaptionFont::draw(RenderedImage& image, const std::string& utf8, double x, int y, double width_max,
+                       float grey) const {
+    const ImFont& font = *atlas_->Fonts[0];
+    std::vector<ImWchar> codes = code_points(utf8);
+    if (text_width(font, codes) > width_max) {
+        codes.push_back(0x2026);
+        while (codes.size() > 1 && text_width(font, codes) > width_max) codes.erase(codes.end() - 2);
+    }
+    unsigned char* texels = nullptr;
+    int columns = 0, rows = 0;
+    atlas_->GetTexDataAsAlpha8(&texels, &columns, &rows);
+    double pen = oversampling * (x - 0.5 * text_width(font, codes));
+    for (const ImWchar code : codes) {
+        const ImFontGlyph& glyph = *font.FindGlyph(code);
+        const int left = static_cast<int>(std::lround(pen + static_cast<double>(glyph.X0)));
+        const int top = oversampling * y + static_cast<int>(std::lround(glyph.Y0));
+        const int u = static_cast<int>(std::lround(glyph.U0 * static_cast<float>(columns)));
+        const int v = static_cast<int>(std::lround(glyph.V0 * static_cast<float>(rows)));
+        const int width = static_cast<int>(std::lround(glyph.X1 - glyph.X0));
+        const int height = static_cast<int>(std::lround(glyph.Y1 - glyph.Y0));
+        for (int j = 0; glyph.Visible && j < height; ++j)
+            for (int i = 0; i < width; ++i) {
+                const float coverage = static_cast<float>(texels[(v + j) * columns + u + i]) / 255.0f;
+                blend(image, (left + i) / oversampling, (top + j) / oversampling,
+                      coverage / static_cast<float>(oversampling * oversampling), grey);
+            }
+        pen += static_cast<double>(glyph.AdvanceX);
+    }
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iterator>
+#include <map>
+
+#include "app/cli/design_input.h"
+#include "app/cli/direction_lines.h"
+#include "app/cli/verbs.h"
+#include "core/bake/brdf.h"
+#include "core/design/design_file.h"
+#include "core/measure/reference.h"
+
+namespace nacre::cli {
+namespace {
+
+struct EvalOptions {
+    std::string design;
+    std::string term = "total";
+    bool exact = false;
+};
+
+const std::map<std::string, Term>& terms() {
+    static const std::map<std::string, Term> known = {
+        {"specular", Term::specular}, {"diffuse", Term::diffuse}, {"total", Term::total}};
+    return known;
+}
+
+std::string known_term(const std::string& name) {
+    if (terms().contains(name) || name == "multibounce" || name == "facets") return {};
+    return "must be specular, diffuse, multibounce, facets or total";
+}
+
+// The coupled terms read R, which costs most; without them none is needed.
+Design only_what_counts(Design design, Term term) {
+    if (term == Term::specular && !std::holds_alternative<LambertianDiffuse>(design.diffuse))
+        design.diffuse = NoDiffuse{};
+    return design;
+}
+
+void append_colour(dvec3 rho, bool exact, std::string& text) {
+    rho += 0.0;  // no negative zeros
+    if (exact) {
+        fmt::format_to(std::back_inserter(text), "{:.17g} {:.17g} {:.17g}\n", rho.x, rho.y, rho.z);
+    } else {
+        fmt::format_to(std::back_inserter(text), "{:.9g} {:.9g} {:.9g}\n", rho.x, rho.y, rho.z);
+    }
+}
+
+void answer_from_tables(const Design& design, const EvalOptions& options, Term term,
+                        const Interrupt& interrupt) {
+    const Brdf brdf(bake_design(design, options.design, {}, interrupt));
+    answer_lines(
+        {.directions = 2},
+        [&](std::span<const dvec3> k, std::string& text) {
+            const bool seen = above_horizon(k[0]) && above_horizon(k[1]);
+            append_colour(seen ? brdf.evaluate(k[0], k[1], term) : dvec3{0}, false, text);
+        },
+        interrupt);
+}
+
+void answer_exactly(const Design& design, const EvalOptions& options, Term term, const Interrupt& interrupt) {
+    const std::stop_token stop = interrupt.token();
+    Reference reference = about_file(options.design, [&] { return Reference(design); });
+    reference.prepare_coupling(stop);
+    answer_lines(
+        {.directions = 2, .batch = 256},
+        [&](std::span<const dvec3> k, std::string& text) {
+            dvec3 rho{0};
+            if (above_horizon(k[0]) && above_horizon(k[1]))
+                rho = brdf_term(reference.shading(), reference.direction(k[0], stop),
+                                reference.direction(k[1], stop), term);
+            append_colour(rho, true, text);
+        },
+        interrupt);
+}
+
+int eval(const EvalOptions& options, const Interrupt& interrupt) {
+    const auto term = terms().find(options.term);
+    if (term == terms().end())
+        throw std::runtime_error("--term " + options.term + ": this term has not arrived yet");
+    const Design design = only_what_counts(load_design(options.design), term->second);
+    if (options.exact) {
+        answer_exactly(design, options, term->second, interrupt);
+    } else {
+        answer_from_tables(design, options, term->second, interrupt);
+    }
+    return 0;
+}
+
+}  // namespace
+
+void declare_eval(CLI::App& command, Action& action) {
+    const auto options = std::make_shared<EvalOptions>();
+    command.add_option("DESIGN", options->design, "a .nacre file")->required();
+    command.add_option("--term", options->term, "specular, diffuse or total (default total)")
+        ->check(known_term);
+    command.add_flag("--exact", options->exact,
+                     "adaptive integration in double in place of tables; 17 digits");
+    command.footer(
+        "Reads lines `k1x k1y k1z k2x k2y k2z` (z = normal; any length but 0; # begins a comment line).\n"
+        "Prints for each `r g b`, the BRDF in 1/sr; 0 0 0 where either is not above the horizon.");
+    command.callback([options, &action] {
+        action = [options](Interrupt& interrupt) { return eval(*options, interrupt); };
+    });
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/cli/design_input.h"
+#include "app/cli/output.h"
+#include "app/cli/table_output.h"
+#include "app/cli/verbs.h"
+#include "core/design/design_file.h"
+#include "core/exchange/atomic_file.h"
+#include "core/exchange/glsl_export.h"
+
+namespace nacre::cli {
+namespace {
+
+struct ExportOptions {
+    std::string design;
+    std::string format;
+    std::string output;
+    bool list = false;
+};
+
+struct Format {
+    const char* name;
+    const char* about;
+    void (*write)(const ExportOptions& options, Interrupt& interrupt);
+};
+
+void write_exr_tables(const ExportOptions& options, Interrupt& interrupt) {
+    write_tables(options.design, options.output, 0, interrupt);
+}
+
+void write_glsl(const ExportOptions& options, Interrupt& interrupt) {
+    const Design design = load_design(options.design);
+    const auto tables = bake_design(design, options.design, {}, interrupt);
+    const std::string text = about_file(options.design, [&] { return glsl_export(design, *tables); });
+    interrupt.write_files([&] { write_file_atomically(options.output, text); });
+}
+
+constexpr Format formats[] = {
+    {"exr", "a folder of tables as EXR pictures, with manifest.json", write_exr_tables},
+    {"glsl", "one file with the function nacre_brdf(k1, k2) and its tables as constants", write_glsl},
+};
+
+std::string list_of_formats() {
+    std::string text;
+    for (const Format& format : formats) text += fmt::format("{:<6} {}\n", format.name, format.about);
+    return text;
+}
+
+int export_design(const ExportOptions& options, Interrupt& interrupt) {
+    if (options.list) {
+        write_output(list_of_formats());
+        return 0;
+    }
+    const auto format = std::find_if(std::begin(formats), std::end(formats),
+                                     [&](const Format& f) { return options.format == f.name; });
+    if (format == std::end(formats))
+        throw std::runtime_error("export --to " + options.format +
+                                 ": this format has not arrived yet; see export --list");
+    format->write(options, interrupt);
+    return 0;
+}
+
+}  // namespace
+
+void declare_export(CLI::App& command, Action& action) {
+    const auto options = std::make_shared<ExportOptions>();
+    auto* const list = command.add_flag("--list", options->list, "the formats there are");
+    auto* const design = command.add_option("DESIGN", options->design, "a .nacre file");
+    auto* const format = command.add_option("--to", options->format, "a format of --list");
+    auto* const output = command.add_option("-o,--output", options->output, "the file or folder to write");
+    command.callback([=, &action] {
+        if (list->count() == 0)
+            for (const CLI::Option* needed : {design, format, output})
+                if (needed->count() == 0) throw CLI::RequiredError(needed->get_name());
+        action = [options](Interrupt& interrupt) { return export_design(*options, interrupt); };
+    });
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/design_input.h"
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/design/design_file.h"
+#include "core/design/design_names.h"
+#include "core/exchange/table_files.h"
+
+namespace nacre::cli {
+namespace {
+
+struct InfoOptions {
+    std::string design;
+    bool json = false;
+};
+
+struct LayerInfo {
+    std::string name;
+    std::string lobe;
+    double share;  // of the facets' area
+    bool modulated;
+};
+
+std::vector<LayerInfo> layers_of(const Design& design) {
+    double whole = 0;
+    for (const Layer& layer : design.distribution.layers) whole += layer.enabled ? layer.weight : 0;
+    std::vector<LayerInfo> infos;
+    for (const Layer& layer : design.distribution.layers)
+        infos.push_back({one_line(layer.name), std::string(lobe_names[layer.lobe.index()]),
+                         layer.enabled ? layer.weight / whole : 0, layer.modulation.has_value()});
+    return infos;
+}
+
+// What the shader of this design is made of.
+std::vector<std::string> shader_parts(const Design& design, const Tables& tables) {
+    std::vector<std::string> parts;
+    auto add = [&](std::string part) {
+        if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(std::move(part));
+    };
+    for (const Layer& layer : design.distribution.layers) {
+        if (!layer.enabled || layer.weight <= 0) continue;
+        add(fmt::format("lobe {}", lobe_names[layer.lobe.index()]));
+        if (layer.modulation) add("modulation by a picture");
+    }
+    add(fmt::format("shadowing {}{}", shadowing_names[static_cast<std::size_t>(design.shadowing.model)],
+                    design.shadowing.clamp ? ", clamped" : ""));
+    if (!std::holds_alternative<NoFresnel>(design.fresnel))
+        add(fmt::format("fresnel {}", fresnel_names[design.fresnel.index()]));
+    if (!std::holds_alternative<NoDiffuse>(design.diffuse))
+        add(fmt::format("diffuse {}", diffuse_names[design.diffuse.index()]));
+    add("table of g");
+    if (tables.plan.albedo) add("tables of R");
+    return parts;
+}
+
+// The pictures that hold tables or layers; the marked corners are for files alone.
+std::vector<TablePicture> tables_in_use(const Tables& tables) {
+    std::vector<TablePicture> pictures = table_pictures(tables);
+    std::erase_if(pictures, [](const TablePicture& picture) { return picture.quantity == "corners"; });
+    return pictures;
+}
+
+std::string name_of_table(const TablePicture& picture) {
+    return picture.file.substr(0, picture.file.rfind('.'));
+}
+
+std::string text_info(const Design& design, const Tables& tables) {
+    const dvec3 mean = tables.mean;
+    std::string text = fmt::format("{}\n", design.name.empty() ? "unnamed design" : one_line(design.name));
+    if (!design.note.empty()) text += fmt::format("  {}\n", one_line(design.note));
+    text += "\nlayers\n";
+    for (const LayerInfo& layer : layers_of(design))
+        text +=
+            fmt::format("  {:5.1f} %  {}{}{}\n", 100 * layer.share, layer.lobe,
+                        layer.modulated ? ", modulated" : "", layer.name.empty() ? "" : "  " + layer.name);
+    text +=
+        fmt::format("\ndistribution\n  N         {:.6g}\n  H         {:.6g} {:.6g} {:.6g}\n  symmetry  {}\n",
+                    tables.shading.surface.N, mean.x, mean.y, mean.z, name_of(tables.plan.symmetry.symmetry));
+    text += "\ntables\n";
+    for (const TablePicture& picture : tables_in_use(tables))
+        text += fmt::format("  {:<20} {:>4} x {:<4} {:>8} bytes\n", name_of_table(picture), picture.size.x,
+                            picture.size.y, picture.values.size() * sizeof(float));
+    text += fmt::format("  baked in {:.3f} s; g is within {:.1e} between nodes\n", tables.seconds,
+                        tables.area_error.worst);
+    text += fmt::format("\nshader\n  {}\n\nleft out\n", fmt::join(shader_parts(design, tables), "\n  "));
+    for (const Omission& omission : tables.plan.omissions)
+        text += fmt::format("  {}: {}\n", omission.what, omission.why);
+    return text;
+}
+
+std::string json_info(const Design& design, const Tables& tables) {
+    using Json = nlohmann::ordered_json;
+    Json layers = Json::array(), pictures = Json::array(), omissions = Json::array();
+    for (const LayerInfo& layer : layers_of(design))
+        layers.push_back({{"name", layer.name},
+                          {"lobe", layer.lobe},
+                          {"share", layer.share},
+                          {"modulated", layer.modulated}});
+    for (const TablePicture& picture : tables_in_use(tables))
+        pictures.push_back({{"name", name_of_table(picture)},
+                            {"width", picture.size.x},
+                            {"height", picture.size.y},
+                            {"channels", picture.channels.size()},
+                            {"bytes", picture.values.size() * sizeof(float)}});
+    for (const Omission& omission : tables.plan.omissions)
+        omissions.push_back({{"what", omission.what}, {"why", omission.why}});
+    const Json json = {{"name", design.name},
+                       {"note", design.note},
+                       {"layers", std::move(layers)},
+                       {"N", tables.shading.surface.N},
+                       {"H", {tables.mean.x, tables.mean.y, tables.mean.z}},
+                       {"symmetry", name_of(tables.plan.symmetry.symmetry)},
+                       {"tables", std::move(pictures)},
+                       {"bake_seconds", tables.seconds},
+                       {"g_error", tables.area_error.worst},
+                       {"shader", shader_parts(design, tables)},
+                       {"left_out", std::move(omissions)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int info(const InfoOptions& options, const Interrupt& interrupt) {
+    const Design design = load_design(options.design);
+    const auto tables = bake_design(design, options.design, {}, interrupt);
+    write_output(options.json ? json_info(design, *tables) : text_info(design, *tables));
+    return 0;
+}
+
+}  // namespace
+
+void declare_info(CLI::App& command, Action& action) {
+    const auto options = std::make_shared<InfoOptions>();
+    command.add_option("DESIGN", options->design, "a .nacre file")->required();
+    command.add_flag("--json", options->json, "the same as JSON");
+    command.callback([options, &action] {
+        action = [options](Interrupt& interrupt) { return info(*options, interrupt); };
+    });
+}
+
+}  // namespace nacre::cli

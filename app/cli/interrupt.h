@@ -1,0 +1,44 @@
+// Ctrl+C and SIGTERM.
+#pragma once
+
+#include <csignal>
+#include <functional>
+#include <mutex>
+#include <stdexcept>
+#include <stop_token>
+#include <thread>
+
+namespace nacre::cli {
+
+struct Stopped : std::runtime_error {
+    Stopped() : std::runtime_error("stopped") {}
+};
+
+// The two signals become a request to stop. Work that has not answered it within half a second (a driver that
+// draws, a reader that decodes) is ended where it stands, but never while files are being written. Only one
+// at a time, made before any other thread, since threads inherit that the signals wait.
+class Interrupt {
+  public:
+    Interrupt();
+    ~Interrupt();
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+    std::stop_token token() const { return source_.get_token(); }
+    void check() const {
+        if (source_.stop_requested()) throw Stopped();
+    }
+
+    // Throws Stopped instead of beginning when a stop was requested; once begun, the writing ends whole.
+    void write_files(const std::function<void()>& write);
+
+  private:
+    void watch(std::stop_token closing);
+
+    sigset_t signals_{};
+    std::stop_source source_;
+    std::mutex writing_;
+    std::jthread watcher_;
+};
+
+}  // namespace nacre::cli

@@ -1,0 +1,86 @@
+// nacre-cli VERB ...
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/bake/bake.h"
+#include "core/design/error.h"
+
+namespace {
+
+using namespace nacre;
+
+constexpr int done = 0, failed = 1, wrong_usage = 2;
+
+int complain(std::string_view message, int exit_code) {
+    fmt::print(stderr, "nacre-cli: {}\n", one_line(message));
+    return exit_code;
+}
+
+// Runs `work`, every failure one line on standard error.
+template <class Work>
+int guarded(const Work& work) {
+    try {
+        return work();
+    } catch (const cli::ReaderGone&) {
+        return failed;
+    } catch (const BakeCancelled&) {
+        return complain("stopped", failed);
+    } catch (const std::bad_alloc&) {
+        return complain("there is not enough memory for this", failed);
+    } catch (const std::exception& error) {
+        return complain(error.what(), failed);
+    }
+}
+
+int say(const std::string& text) {
+    return guarded([&] {
+        cli::write_output(text);
+        return done;
+    });
+}
+
+void declare_all(CLI::App& app, cli::Action& action) {
+    app.set_version_flag("--version", "nacre-cli " NACRE_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "nacre-cli VERB --help tells a verb's own options. Exit codes: 0 done, 1 it could not be done or a\n"
+        "check failed, 2 wrong usage. Angles in degrees, theta from the normal, phi from the tangent.");
+    for (const cli::Verb& verb : cli::verbs()) {
+        CLI::App& command = *app.add_subcommand(verb.name, verb.about);
+        verb.declare(command, action);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);
+    CLI::App app("Nacre without a window: microfacet BRDFs designed by their normal distribution",
+                 "nacre-cli");
+    cli::Action action;
+    try {
+        declare_all(app, action);
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return say(app.help());
+    } catch (const CLI::CallForAllHelp&) {
+        return say(app.help("", CLI::AppFormatMode::All));
+    } catch (const CLI::CallForVersion& version) {
+        return say(std::string(version.what()) + "\n");
+    } catch (const CLI::ParseError& error) {
+        return complain(std::string(error.what()) + "; see nacre-cli --help", wrong_usage);
+    } catch (const std::exception& error) {
+        return complain(error.what(), failed);
+    }
+    return guarded([&] {
+        cli::Interrupt interrupt;
+        return action(interrupt);
+    });
+}

@@ -1,0 +1,20 @@
+// Standard output: what a verb answers.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace nacre::cli {
+
+// Whoever read the answers has gone.
+struct ReaderGone : std::runtime_error {
+    ReaderGone() : std::runtime_error("nobody reads the output") {}
+};
+
+// Writes through to the descriptor; a failure is a UserError of `standard output`, or ReaderGone.
+void write_output(std::string_view text);
+
+bool output_is_terminal();
+
+}  // namespace nacre::cli

@@ -1,0 +1,18 @@
+#include "app/cli/table_output.h"
+
+#include "app/cli/design_input.h"
+#include "core/design/design_file.h"
+#include "core/exchange/table_files.h"
+
+namespace nacre::cli {
+WrittenTables write_tables(const std::filesystem::path& design, const std::filesystem::path& folder,
+                           int threads, Interrupt& interrupt) {
+    const Design loaded = load_design(design);
+    WrittenTables result;
+    result.tables = bake_design(loaded, design, {.albedo = true, .threads = threads}, interrupt);
+    result.errors = measure_table_errors(*result.tables, Reference(loaded), interrupt.token());
+    interrupt.write_files([&] { write_table_files(folder, loaded, *result.tables, result.errors); });
+    return result;
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,22 @@
+#include "app/cli/verbs.h"
+
+namespace nacre::cli {
+
+std::span<const Verb> verbs() {
+    static constexpr Verb list[] = {
+        {"info", "what a design is, what it needs and what it can do without", declare_info},
+        {"eval", "the BRDF of pairs of directions read from standard input", declare_eval},
+        {"tables", "g, P, R0 and R1 of directions read from standard input", declare_tables},
+        {"bake", "bake a design and write its tables with their manifest", declare_bake},
+        {"render", "the design on a sphere, as a picture", declare_render},
+        {"screenshot", "the designer's window, as a picture", declare_screenshot},
+        {"check", "the physics of a design; exit code 1 when a check fails", declare_check},
+        {"report", "error against run time; not in this version", declare_unarrived},
+        {"export", "a design in another program's format", declare_export},
+        {"import", "a design from another program's file; not in this version", declare_unarrived},
+        {"gallery", "every design of a folder rendered, with a contact sheet", declare_gallery},
+    };
+    return list;
+}
+
+}  // namespace nacre::cli

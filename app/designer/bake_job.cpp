@@ -1,0 +1,62 @@
+#include "app/designer/bake_job.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <exception>
+
+#include "core/design/design_check.h"
+#include "core/design/error.h"
+
+namespace nacre {
+namespace {
+
+using Job = LatestJob<BakeRequest, std::shared_ptr<const Tables>>;
+
+// Nice level of the worker: where cores are few, drawing goes first. Threads that the worker starts
+// inherit it.
+constexpr int worker_niceness = 10;
+
+void bake_twice(const BakeRequest& request, const std::stop_token& stop, const Job::Publish& publish,
+                int threads) {
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness);
+    check_design(request.design, "design");
+    for (const Quality quality : {Quality::draft, Quality::final}) {
+        const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
+        publish(bake(request.design, options, stop));
+        if (stop.stop_requested()) return;
+    }
+}
+
+std::string plain_words(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const UserError& refused) {
+        const std::string where = refused.where.empty() ? "" : refused.where + ": ";
+        return where + refused.problem + (refused.found.empty() ? "" : " (" + refused.found + ")");
+    } catch (const std::exception& other) {
+        return other.what();
+    }
+}
+
+}  // namespace
+
+BakeJob::BakeJob(int threads)
+    : job_([threads](const BakeRequest& request, const std::stop_token& stop, const Job::Publish& publish) {
+          bake_twice(request, stop, publish, threads);
+      }) {}
+
+void BakeJob::want(const BakeRequest& request) {
+    if (wanted_ == request) return;
+    wanted_ = request;
+    job_.submit(request);
+}
+
+std::shared_ptr<const Tables> BakeJob::poll() {
+    const auto published = job_.poll();
+    if (!published) return nullptr;
+    problem_ = published->error ? plain_words(published->error) : std::string();
+    return published->result.value_or(nullptr);
+}
+
+}  // namespace nacre

@@ -1,0 +1,41 @@
+// The bake on the worker: a draft within milliseconds, then the final tables.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/bake/bake.h"
+#include "core/bake/latest_job.h"
+#include "core/design/design.h"
+
+namespace nacre {
+
+struct BakeRequest {
+    Design design;
+    bool albedo = false;  // R is wanted even where no diffuse term reads it
+    bool operator==(const BakeRequest&) const = default;
+};
+
+class BakeJob {
+  public:
+    explicit BakeJob(int threads);
+
+    // Starts a bake unless this is what was asked for last.
+    void want(const BakeRequest& request);
+
+    // The newest tables since the last call, or null; keeps `problem` up to date.
+    std::shared_ptr<const Tables> poll();
+
+    // Why the newest finished request was refused, in plain words; empty when it was not.
+    const std::string& problem() const { return problem_; }
+    bool busy() const { return job_.busy(); }
+    void wait() const { job_.wait(); }
+
+  private:
+    std::optional<BakeRequest> wanted_;
+    std::string problem_;
+    LatestJob<BakeRequest, std::shared_ptr<const Tables>> job_;
+};
+
+}  // namespace nacre

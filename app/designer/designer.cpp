@@ -1,0 +1,137 @@
+#include "app/designer/designer.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "app/designer/scene_panel.h"
+#include "app/designer/status.h"
+#include "ui/item_map.h"
+#include "ui/material_panel.h"
+#include "ui/presets_panel.h"
+#include "ui/status_line.h"
+#include "ui/widgets.h"
+
+namespace nacre {
+namespace {
+
+void draw_presets(Designer& designer) {
+    std::vector<std::string> names;
+    std::optional<std::size_t> current;
+    for (std::size_t i = 0; i < designer.presets.size(); ++i) {
+        names.push_back(designer.presets[i].name);
+        if (designer.presets[i].file == designer.document.preset) current = i;
+    }
+    if (const auto clicked = ui::presets_panel(names, current))
+        designer.files.open_preset(designer.document, designer.presets[*clicked].file);
+}
+
+void draw_left(Designer& designer) {
+    if (!ImGui::BeginTabBar("left tabs")) return;
+    const bool layers_open = ImGui::BeginTabItem("Layers");
+    ui::note_item("Layers");
+    if (layers_open) {
+        ImGui::Spacing();
+        ui::layers_panel(designer.layers, designer.document.design.distribution);
+        ImGui::EndTabItem();
+    }
+    const bool presets_open = ImGui::BeginTabItem("Presets");
+    ui::note_item("Presets");
+    if (presets_open) {
+        ImGui::Spacing();
+        draw_presets(designer);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+void draw_right(Designer& designer) {
+    Design& design = designer.document.design;
+    if (ui::section("Material")) {
+        ui::text_field("Name##Design name", design.name, "Untitled", "The design's name.");
+        ImGui::Spacing();
+        ui::fresnel_panel(design.fresnel);
+        ImGui::Spacing();
+        ui::diffuse_panel(design.diffuse);
+        ImGui::Spacing();
+        ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
+        ImGui::Spacing();
+    }
+    if (ui::section("Light and camera")) scene_panel(designer.scene);
+    ImGui::Spacing();
+    if (ui::section("Note")) ui::note_field(design.note);
+}
+
+void draw_status(const Designer& designer) {
+    ui::status_line({.tables = designer.tables_text,
+                     .message = designer.files.message(),
+                     .problem = designer.baker.problem(),
+                     .working = designer.baker.busy()});
+}
+
+}  // namespace
+
+int interactive_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+
+Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets(presets_folder())) {}
+
+void draw_frame(Designer& designer) {
+    Document& document = designer.document;
+    if (!designer.files.talking())
+        if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
+    const ui::MenuState menu{.can_undo = document.history.can_undo(),
+                             .can_redo = document.history.can_redo(),
+                             .title = document.title()};
+    if (const auto command = ui::menu_bar(menu)) perform(designer, *command);
+
+    if (auto tables = designer.baker.poll()) {
+        designer.tables_text = tables_text(*tables);
+        designer.preview.show(std::move(tables));
+    }
+    draw_layout(designer.layout, {.left = [&] { draw_left(designer); },
+                                  .centre = [&] { designer.preview.draw(designer.scene); },
+                                  .right = [&] { draw_right(designer); },
+                                  .status = [&] { draw_status(designer); }});
+    designer.files.draw(document);
+
+    // One step of undo for each drag or typed text: it ends when nothing is held.
+    if (!ImGui::IsAnyItemActive()) document.commit();
+    designer.baker.want({.design = document.design, .albedo = designer.scene.ambient});
+}
+
+void perform(Designer& designer, ui::Command command) {
+    Document& document = designer.document;
+    switch (command) {
+        case ui::Command::new_design:
+            designer.files.start_new(document);
+            break;
+        case ui::Command::open:
+            designer.files.start_open(document);
+            break;
+        case ui::Command::save:
+            designer.files.save(document);
+            break;
+        case ui::Command::save_as:
+            designer.files.save_as(document);
+            break;
+        case ui::Command::undo:
+            document.undo();
+            break;
+        case ui::Command::redo:
+            document.redo();
+            break;
+        case ui::Command::quit:
+            designer.files.quit(document);
+            break;
+        case ui::Command::reset_camera:
+            reset_camera(designer.scene);
+            break;
+    }
+}
+
+bool in_motion(const Designer& designer) { return designer.baker.busy(); }
+
+}  // namespace nacre

@@ -1,0 +1,46 @@
+// The designer without a window. The host owns the Dear ImGui context, its input and its renderer; a
+// frame is drawn between ImGui::NewFrame and ImGui::Render.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/designer/bake_job.h"
+#include "app/designer/document.h"
+#include "app/designer/file_flow.h"
+#include "app/designer/folder.h"
+#include "app/designer/layout.h"
+#include "app/designer/preview_pane.h"
+#include "app/preview/scene.h"
+#include "ui/commands.h"
+#include "ui/layers_panel.h"
+
+namespace nacre {
+
+// Threads a bake of the designer takes: one core is left for drawing.
+int interactive_threads();
+
+struct Designer {
+    explicit Designer(int bake_threads = interactive_threads());
+
+    Document document;
+    Scene scene;
+    BakeJob baker;
+    PreviewPane preview;
+    FileFlow files;
+    Layout layout;
+    ui::LayersView layers;
+    std::vector<Preset> presets;
+    std::string tables_text;  // the shown tables, for the status line
+};
+
+// Draws one frame and acts on its input. Never waits for the worker.
+void draw_frame(Designer& designer);
+
+void perform(Designer& designer, ui::Command command);
+
+// Whether the next frame will differ without any input.
+bool in_motion(const Designer& designer);
+
+}  // namespace nacre

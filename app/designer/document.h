@@ -1,0 +1,32 @@
+// The design that is being edited, its history and its file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/design/history.h"
+
+namespace nacre {
+
+// What a new document begins with: red lacquer, on which every slider shows.
+Design starter_design();
+
+struct Document {
+    History history;
+    Design design;                 // as on the screen; differs from history.current() only during an edit
+    std::filesystem::path file;    // empty before the first save
+    std::filesystem::path preset;  // that it began as, or empty
+
+    explicit Document(Design start = starter_design(), std::filesystem::path from = {});
+
+    // Ends the present edit: one step of undo, if anything changed.
+    void commit();
+    void undo();
+    void redo();
+    bool unsaved() const { return !history.saved() || design != history.current(); }
+
+    // "Satin \u2013 satin.nacre", with a dot before it while unsaved.
+    std::string title() const;
+};
+
+}  // namespace nacre

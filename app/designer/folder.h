@@ -1,0 +1,25 @@
+// Folders as the designer's dialogs and its preset list show them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ui/dialogs.h"
+
+namespace nacre {
+
+// Folders and design files, sorted, without hidden ones.
+ui::Listing list_folder(const std::filesystem::path& folder);
+
+struct Preset {
+    std::string name;  // of the file, without ".nacre"
+    std::filesystem::path file;
+};
+
+std::vector<Preset> list_presets(const std::filesystem::path& folder);
+
+// Beside the program: in the source tree it was built from, or below share/ where it was installed.
+std::filesystem::path presets_folder();
+
+}  // namespace nacre

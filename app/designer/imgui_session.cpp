@@ -1,0 +1,39 @@
+#include "app/designer/imgui_session.h"
+
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+
+#include "app/gl/gl.h"
+#include "ui/theme.h"
+
+namespace nacre {
+
+ImguiSession::ImguiSession(float ui_scale) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // what is kept between runs is the program's decision
+    io.LogFilename = nullptr;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ui::apply_theme(ui_scale);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+ImguiSession::~ImguiSession() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void ImguiSession::new_frame() const { ImGui_ImplOpenGL3_NewFrame(); }
+
+void ImguiSession::draw(glm::ivec2 framebuffer) const {
+    const ui::Colour& back = ui::palette::canvas;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, framebuffer.x, framebuffer.y);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(back.r, back.g, back.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace nacre

@@ -1,0 +1,17 @@
+// What a pointer on the preview does to the scene. Plain arithmetic, no interface.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "app/preview/scene.h"
+
+namespace nacre {
+
+// Places the light so that the highlight of a mirror lies under the pixel. Beyond the sphere's edge the
+// highlight stays at the edge.
+void move_light_to(Scene& scene, glm::dvec2 pixel, glm::ivec2 size);
+
+void orbit(Scene& scene, glm::dvec2 pixels);
+void zoom(Scene& scene, double wheel);
+
+}  // namespace nacre

@@ -1,0 +1,72 @@
+#include "app/desktop/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <stdexcept>
+
+namespace nacre {
+namespace {
+
+std::runtime_error glfw_failure(const char* what) {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    return std::runtime_error(std::string(what) +
+                              (reason != nullptr ? std::string(" (") + reason + ")" : ""));
+}
+
+}  // namespace
+
+Window::Window(glm::ivec2 size, const std::string& title) : title_(title) {
+    if (glfwInit() != GLFW_TRUE) throw glfw_failure("no window: the display cannot be opened");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "nacre");
+    window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) {
+        const std::runtime_error failure = glfw_failure("no window: OpenGL 3.3 core is not available");
+        glfwTerminate();
+        throw failure;
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+float Window::monitor_scale() const {
+    float x = 1;
+    float y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return x > 0 ? x : 1;
+}
+
+glm::ivec2 Window::framebuffer_size() const {
+    glm::ivec2 size{0};
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+void Window::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+bool Window::take_close_request() {
+    if (glfwWindowShouldClose(window_) == GLFW_FALSE) return false;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return true;
+}
+
+void Window::swap() { glfwSwapBuffers(window_); }
+
+}  // namespace nacre

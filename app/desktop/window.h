@@ -1,0 +1,34 @@
+// The GLFW window and its OpenGL 3.3 core context.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <string>
+
+struct GLFWwindow;
+
+namespace nacre {
+
+class Window {
+  public:
+    // Throws std::runtime_error without a display or without OpenGL 3.3. `size` is in the monitor's own
+    // units, before its scale.
+    Window(glm::ivec2 size, const std::string& title);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    GLFWwindow* handle() const { return window_; }
+    float monitor_scale() const;
+    glm::ivec2 framebuffer_size() const;
+
+    void set_title(const std::string& title);
+    // The close button since the last call.
+    bool take_close_request();
+    void swap();
+
+  private:
+    GLFWwindow* window_ = nullptr;
+    std::string title_;
+};
+
+}  // namespace nacre

@@ -1,0 +1,22 @@
+// A design as a picture: the line Design -> BakePlan -> Tables -> Shader -> picture, walked at once.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "app/preview/scene.h"
+#include "core/design/design.h"
+
+namespace nacre {
+
+struct RenderedImage {
+    glm::ivec2 size{0};
+    std::vector<float> rgb;  // top row first; sRGB in [0, 1], or linear radiance times exposure
+};
+
+// Four samples a pixel. Needs a current OpenGL 3.3 core context; throws what bake() throws.
+RenderedImage render_design(const Design& design, const Scene& scene, glm::ivec2 size, bool linear,
+                            std::stop_token stop = {}, const std::function<void(double)>& progress = {});
+
+}  // namespace nacre

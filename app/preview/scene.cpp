@@ -1,0 +1,43 @@
+#include "app/preview/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nacre {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+constexpr double sphere_part = 0.39;  // radius, of the picture's shorter side, at zoom 1
+
+}  // namespace
+
+std::vector<std::string> scene_names() { return {"single", "two", "ambient", "studio"}; }
+
+std::optional<Scene> scene_by_name(std::string_view name) {
+    const std::vector<std::string> names = scene_names();
+    if (std::find(names.begin(), names.end(), name) == names.end()) return {};
+    Scene scene;
+    scene.second_light = name == "two" || name == "studio";
+    scene.ambient = name == "ambient" || name == "studio";
+    return scene;
+}
+
+glm::dvec3 light_direction(const LightSource& light) {
+    const double sine = std::sin(light.theta * radians);
+    return {sine * std::cos(light.phi * radians), sine * std::sin(light.phi * radians), std::cos(light.theta * radians)};
+}
+
+double pixels_per_unit(const Scene& scene, glm::ivec2 size) {
+    return sphere_part * scene.zoom * std::min(size.x, size.y);
+}
+
+std::optional<glm::dvec3> sphere_point(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size) {
+    const double unit = pixels_per_unit(scene, size);
+    const double x = (pixel.x - 0.5 * size.x) / unit, y = (0.5 * size.y - pixel.y) / unit;
+    const double r2 = x * x + y * y;
+    if (!(r2 <= 1)) return {};
+    return glm::dvec3{x, y, std::sqrt(1 - r2)};
+}
+
+}  // namespace nacre

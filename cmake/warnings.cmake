@@ -1,0 +1,11 @@
+# Every target of ours: warnings are errors, and IEEE arithmetic stays as written (reciprocity to the
+# last bit and tables that do not depend on the machine need it).
+add_library(nacre_options INTERFACE)
+target_compile_options(nacre_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror -ffp-contract=off)
+# g++ 12 warns of overlaps in std::string's own operator+ (GCC bug 105651).
+target_compile_options(nacre_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+if(NACRE_SANITIZE)
+    target_compile_options(nacre_options INTERFACE -fsanitize=${NACRE_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(nacre_options INTERFACE -fsanitize=${NACRE_SANITIZE})
+endif()

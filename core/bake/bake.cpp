@@ -1,0 +1,186 @@
+#include "core/bake/bake.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "core/bake/albedo.h"
+#include "core/bake/coupling.h"
+#include "core/bake/stretched_grid.h"
+#include "core/model/surface.h"
+
+namespace nacre {
+namespace {
+
+// A final bake doubles its nodes until g is this close, relative, between them, or the tables reach the limit.
+constexpr double area_tolerance = 5e-4;
+constexpr int nodes_limit = 16384;
+
+class Bake {
+  public:
+    Bake(const Design& design, const BakeOptions& options, std::stop_token stop,
+         const std::function<void(double)>& progress)
+        : design_(design), stop_(std::move(stop)), progress_(progress),
+          arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
+          tables_(std::make_shared<Tables>()) {
+        tables_->plan = plan_bake(design, {options.quality, options.albedo});
+    }
+
+    std::shared_ptr<const Tables> run() {
+        const auto begin = std::chrono::steady_clock::now();
+        tables_->distribution = std::make_shared<FacetDistribution>(design_.distribution);
+        tables_->mean = tables_->distribution->mean();
+        describe_material(design_, *tables_->distribution, tables_->shading);
+        tables_->shading.kinds.albedo = tables_->plan.albedo;
+        bake_area();
+        while (tables_->plan.quality == Quality::final && tables_->area_error.worst > area_tolerance && refine())
+            bake_area();
+        report(0.3);
+        if (tables_->plan.albedo) bake_albedo();
+        describe_layers(design_.distribution, *tables_->distribution, tables_->shading, tables_->data);
+        tables_->shading.data = tables_->data.data();
+        report(1);
+        tables_->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return tables_;
+    }
+
+  private:
+    void report(double done) const {
+        if (stop_.stop_requested()) throw BakeCancelled();
+        if (progress_) progress_(done);
+    }
+
+    // Calls visit(i) for every i; results must not depend on order.
+    template <class Visit>
+    void for_each(int count, const Visit& visit) {
+        arena_.execute([&] {
+            tbb::parallel_for(0, count, [&](int i) {
+                if (!stop_.stop_requested()) visit(i);
+            });
+        });
+        if (stop_.stop_requested()) throw BakeCancelled();
+    }
+
+    bool refine() {
+        BakePlan& plan = tables_->plan;
+        const int w = 2 * plan.nodes_w - 1;
+        int psi = 2 * plan.nodes_psi - 1;
+        if (plan.symmetry.symmetry == Symmetry::isotropic) psi = 1;
+        if (plan.symmetry.symmetry == Symmetry::none) psi = 2 * plan.nodes_psi;
+        if (w * psi > nodes_limit) return false;
+        plan.nodes_w = w;
+        plan.nodes_psi = psi;
+        return true;
+    }
+
+    void bake_area() {
+        const BakePlan& plan = tables_->plan;
+        const StretchedGrid grid(*tables_->distribution, plan);
+        const int columns = plan.nodes_w, rows = plan.nodes_psi;
+        std::vector<float>& data = tables_->data;
+        auto& shape = tables_->shading.surface.tables;
+        data = grid.widths();
+        shape = grid.shape();
+        shape.nodes_w = columns;
+        shape.nodes_v = plan.nodes_v;
+        shape.nodes_rho = plan.nodes_rho;
+        shape.width_offset = 0;
+        shape.area_offset = rows;
+        data.resize(static_cast<std::size_t>(rows + rows * columns));
+        for_each(rows * columns, [&](int i) {
+            const double w = static_cast<double>(i % columns) / (columns - 1);
+            const int row = i / columns;
+            const double g = tables_->distribution->area(grid.area_direction(w, row)).g;
+            data[static_cast<std::size_t>(rows + i)] = static_cast<float>(grid.shape_value(w, row, g));
+        });
+        tables_->shading.data = data.data();
+        measure_area(grid);
+    }
+
+    // Error of g at the centres of cells, every cell of a small table and every few of a large one; relative to
+    // max(g, N c), which is what the BRDF divides by, or to g itself without clamp.
+    void measure_area(const StretchedGrid& grid) {
+        const int columns = tables_->plan.nodes_w - 1;
+        const bool round = tables_->plan.nodes_psi == 1;
+        const int rows = round ? 1 : tables_->plan.nodes_psi - 1;
+        const int stride = std::max(1, columns * rows / 512) | 1;
+        const int count = (columns * rows + stride - 1) / stride;
+        std::vector<double> errors(static_cast<std::size_t>(count));
+        const Shading<double>& shading = tables_->shading;
+        for_each(count, [&](int i) {
+            const int cell = i * stride;
+            const dvec3 k = grid.area_direction((cell % columns + 0.5) / columns, round ? 0 : cell / columns + 0.5);
+            const double exact = tables_->distribution->area(k).g;
+            const double read = shading.projected_area(k, shading.table_spot(k));
+            const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
+            const double divisor = std::fmax(exact, floor);
+            errors[static_cast<std::size_t>(i)] =
+                divisor > 0 ? std::fabs(std::fmax(read, floor) - divisor) / divisor : 0;
+        });
+        TableError& error = tables_->area_error;
+        error = {};
+        for (const double e : errors) {
+            error.worst = std::fmax(error.worst, e);
+            error.root_mean_square += e * e / count;
+        }
+        error.root_mean_square = std::sqrt(error.root_mean_square);
+    }
+
+    void bake_albedo() {
+        const BakePlan& plan = tables_->plan;
+        const StretchedGrid grid(*tables_->distribution, plan);
+        const AlbedoRule rule(*tables_->distribution, plan.quality == Quality::final);
+        const int columns = plan.nodes_v, rows = plan.nodes_rho, size = rows * columns;
+        const int channels = plan.fresnel_tables;
+        Shading<double>& shading = tables_->shading;
+        std::vector<float> albedo(static_cast<std::size_t>(size * (1 + channels)));
+        for (int row = 0; row < rows; ++row) {
+            for_each(columns, [&](int column) {
+                const dvec3 k = grid.albedo_direction(static_cast<double>(column) / (columns - 1), row);
+                const double g = tables_->distribution->area(k).g;
+                AlbedoValues values = rule(shading, k, g, channels);
+                const double kept = shading.clamped_part(k, g);
+                for (double& value : values) value = kept > 0 ? value / kept : 0;
+                const int i = row * columns + column;
+                albedo[static_cast<std::size_t>(i)] = static_cast<float>(values[0]);
+                const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
+                for (int c = 0; c < channels; ++c)
+                    albedo[static_cast<std::size_t>(i + (c + 1) * size)] =
+                        static_cast<float>(values[static_cast<std::size_t>(c + 1)] - f[c] * values[0]);
+            });
+            report(0.3 + 0.6 * (row + 1) / rows);
+        }
+        std::vector<float>& data = tables_->data;
+        shading.surface.tables.albedo_offset = static_cast<int>(data.size());
+        shading.surface.tables.residual_offset = static_cast<int>(data.size()) + size;
+        data.insert(data.end(), albedo.begin(), albedo.end());
+        shading.data = data.data();
+        const AlbedoIntegrals integrals = integrate_albedo(shading);
+        tables_->mean_albedo = integrals.mean;
+        shading.surface.coupling = integrals.coupling;
+    }
+
+    const Design& design_;
+    std::stop_token stop_;
+    const std::function<void(double)>& progress_;
+    tbb::task_arena arena_;
+    std::shared_ptr<Tables> tables_;
+};
+
+}  // namespace
+
+std::size_t Tables::table_floats() const {
+    const std::size_t rows = static_cast<std::size_t>(plan.nodes_psi);
+    const std::size_t albedos = plan.albedo ? 1 + static_cast<std::size_t>(plan.fresnel_tables) : 0;
+    const std::size_t albedo = static_cast<std::size_t>(plan.nodes_rho) * static_cast<std::size_t>(plan.nodes_v);
+    return rows * (1 + static_cast<std::size_t>(plan.nodes_w)) + albedos * albedo;
+}
+
+std::shared_ptr<const Tables> bake(const Design& design, const BakeOptions& options, std::stop_token stop,
+                                   const std::function<void(double)>& progress) {
+    return Bake(design, options, std::move(stop), progress).run();
+}
+
+}  // namespace nacre

@@ -1,0 +1,60 @@
+#include "core/bake/brdf.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace nacre {
+
+dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction& a,
+                const Shading<double>::Direction& b, Term term) {
+    switch (term) {
+        case Term::specular: return shading.specular(a, b) * shading.specular_weight();
+        case Term::diffuse: return shading.diffuse(a, b);
+        case Term::total: break;
+    }
+    return shading.brdf_of(a, b);
+}
+
+dvec3 Brdf::evaluate(dvec3 k1, dvec3 k2, Term term) const {
+    if (k1.z <= 0 || k2.z <= 0) return dvec3{0};
+    const Shading<double>& shading = tables_->shading;
+    return brdf_term(shading, shading.direction(k1), shading.direction(k2), term);
+}
+
+double Brdf::diffuse_probability() const {
+    return tables_->shading.kinds.diffuse == DiffuseKind::none ? 0 : 0.5;
+}
+
+double Brdf::pdf(dvec3 k1, dvec3 k2) const {
+    if (k1.z <= 0 || k2.z <= 0) return 0;
+    const Shading<double>& shading = tables_->shading;
+    const double g = shading.projected_area(k1, shading.table_spot(k1));
+    const double specular = g > 0 ? shading.density(glm::normalize(k1 + k2)) / (4 * g) : 0;
+    const double diffuse = diffuse_probability();
+    return (1 - diffuse) * specular + diffuse * k2.z / std::numbers::pi;
+}
+
+std::optional<BrdfSample> Brdf::sample(dvec3 k1, Random& random) const {
+    if (k1.z <= 0) return {};
+    dvec3 k2;
+    if (uniform_random(random) < diffuse_probability()) {
+        const double radius = std::sqrt(uniform_random(random));
+        const double phi = 2 * std::numbers::pi * uniform_random(random);
+        k2 = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - radius * radius)};
+    } else {
+        if (tables_->distribution->area(k1).g <= 0) return {};
+        const dvec3 h = tables_->distribution->sample_visible(k1, random);
+        k2 = glm::normalize(2 * glm::dot(k1, h) * h - k1);
+    }
+    const double density = pdf(k1, k2);
+    if (k2.z <= 0 || density <= 0) return {};
+    return BrdfSample{k2, evaluate(k1, k2) * (k2.z / density), density};
+}
+
+dvec3 Brdf::albedo(dvec3 k) const {
+    const Shading<double>& shading = tables_->shading;
+    if (!shading.kinds.albedo || k.z < 0) return dvec3{0};
+    return shading.direction(k).R;
+}
+
+}  // namespace nacre

@@ -1,0 +1,48 @@
+// The BRDF of a baked design, as a renderer would call it: evaluate, sample and pdf together.
+#pragma once
+
+#include <optional>
+
+#include "core/bake/tables.h"
+
+namespace nacre {
+
+enum class Term { specular, diffuse, total };
+
+struct BrdfSample {
+    dvec3 k2;      // unit, above the horizon
+    dvec3 weight;  // rho(k1, k2) (k2.n)/pdf, each colour; at most F(k.h) for a specular sample of a valid p
+    double pdf;    // of k2, 1/sr
+};
+
+// All directions are unit vectors in the local frame (z = n) that point away from the surface. Values are in
+// 1/sr and symmetric in k1 and k2 to the last bit.
+class Brdf {
+  public:
+    explicit Brdf(std::shared_ptr<const Tables> tables) : tables_(std::move(tables)) {}
+
+    // 0 where either direction is not above the horizon.
+    dvec3 evaluate(dvec3 k1, dvec3 k2, Term term = Term::total) const;
+
+    // Visible normals, p(h)/(4 g(k1)) of k2 (Heitz & d'Eon 2014, for any p), mixed half and half with a cosine
+    // about n where the design has a diffuse term. Nothing is returned for a sample below the horizon, which a
+    // renderer counts as black.
+    std::optional<BrdfSample> sample(dvec3 k1, Random& random) const;
+    double pdf(dvec3 k1, dvec3 k2) const;
+
+    // R(k), the directional albedo of the specular term (Ashikhmin 2000, eq. 29); 0 when R is not baked.
+    dvec3 albedo(dvec3 k) const;
+
+    const Tables& tables() const { return *tables_; }
+
+  private:
+    double diffuse_probability() const;
+
+    std::shared_ptr<const Tables> tables_;
+};
+
+// One term of the BRDF from what is known of both directions; `shading` holds the design.
+dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction& a,
+                const Shading<double>::Direction& b, Term term);
+
+}  // namespace nacre

@@ -1,0 +1,17 @@
+// Integrals of R over the hemisphere, of the very interpolant that rendering reads, so that a white furnace
+// closes (Ashikhmin 2000, eq. 28).
+#pragma once
+
+#include "core/model/shading.h"
+
+namespace nacre {
+
+struct AlbedoIntegrals {
+    double mean = 0;            // (1/pi) integral of R cos dk, F = 1
+    glm::dvec3 coupling{0};     // c = 1/integral of (whole - R)+ cos dk for each colour, 1/sr; 0 where nothing is left
+};
+
+// `shading` holds finished albedo tables; whole is 1, or f0 for the paper's metal.
+AlbedoIntegrals integrate_albedo(const Shading<double>& shading);
+
+}  // namespace nacre

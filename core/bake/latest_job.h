@@ -1,0 +1,125 @@
+// One worker thread that always works on the newest request. The interface submits, polls once a
+// frame and never waits; a command line submits and waits. Each result carries the revision of the
+// request it was made for.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace nacre {
+
+template <class Request, class Result>
+class LatestJob {
+  public:
+    using Publish = std::function<void(Result)>;
+    // Called on the worker thread. May publish several results, a quick one first; returns or throws
+    // soon after a stop is requested.
+    using Work = std::function<void(const Request&, std::stop_token, const Publish&)>;
+
+    // Either a result or what the work threw.
+    struct Published {
+        std::uint64_t revision = 0;
+        std::optional<Result> result;
+        std::exception_ptr error;
+    };
+
+    explicit LatestJob(Work work)
+        : work_(std::move(work)), thread_([this](std::stop_token closing) { loop(closing); }) {}
+
+    LatestJob(const LatestJob&) = delete;
+    LatestJob& operator=(const LatestJob&) = delete;
+
+    ~LatestJob() {
+        thread_.request_stop();
+        const std::lock_guard lock(mutex_);
+        running_stop_.request_stop();
+    }
+
+    // Replaces a waiting request. Stops the running one only once it has published something: while
+    // a slider is dragged requests come faster than results, and none would ever arrive otherwise.
+    std::uint64_t submit(Request request) {
+        const std::lock_guard lock(mutex_);
+        waiting_ = std::move(request);
+        ++submitted_;
+        if (running_has_published_) running_stop_.request_stop();
+        changed_.notify_all();
+        return submitted_;
+    }
+
+    // The newest result or error since the last call. Never blocks on the work.
+    std::optional<Published> poll() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(newest_, std::nullopt);
+    }
+
+    bool busy() const {
+        const std::lock_guard lock(mutex_);
+        return waiting_.has_value() || running_;
+    }
+
+    // Returns when nothing runs and nothing waits.
+    void wait() const {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return !waiting_ && !running_; });
+    }
+
+  private:
+    void loop(std::stop_token closing) {
+        std::unique_lock lock(mutex_);
+        while (changed_.wait(lock, closing, [this] { return waiting_.has_value(); }) &&
+               !closing.stop_requested()) {
+            const Request request = std::move(*waiting_);
+            waiting_.reset();
+            running_ = true;
+            running_has_published_ = false;
+            running_stop_ = std::stop_source();
+            const std::uint64_t revision = submitted_;
+            const std::stop_token stop = running_stop_.get_token();
+            lock.unlock();
+            run(request, revision, stop);
+            lock.lock();
+            running_ = false;
+            running_has_published_ = false;
+            changed_.notify_all();
+        }
+    }
+
+    void run(const Request& request, std::uint64_t revision, const std::stop_token& stop) {
+        try {
+            work_(request, stop, [this, revision](Result result) {
+                publish({.revision = revision, .result = std::move(result), .error = nullptr});
+            });
+        } catch (...) {
+            // What a stopped work throws only says that it was stopped.
+            if (!stop.stop_requested())
+                publish({.revision = revision, .result = std::nullopt, .error = std::current_exception()});
+        }
+    }
+
+    void publish(Published published) {
+        const std::lock_guard lock(mutex_);
+        newest_ = std::move(published);
+        running_has_published_ = true;
+        if (waiting_) running_stop_.request_stop();
+    }
+
+    const Work work_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable_any changed_;
+    std::optional<Request> waiting_;
+    std::optional<Published> newest_;
+    std::uint64_t submitted_ = 0;
+    bool running_ = false;
+    bool running_has_published_ = false;
+    std::stop_source running_stop_;
+    std::jthread thread_;  // last: it starts when all of the above exists, and joins first
+};
+
+}  // namespace nacre

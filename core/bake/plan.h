@@ -1,0 +1,38 @@
+// What a design needs of the bake and of the shader, and what it can do without.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/bake/symmetry.h"
+#include "core/model/shading.h"
+
+namespace nacre {
+
+enum class Quality { draft, final };
+
+struct Omission {
+    std::string what;
+    std::string why;
+};
+
+struct BakePlan {
+    DistributionSymmetry symmetry;
+    Quality quality = Quality::final;
+    int nodes_w = 0;      // along theta, for g
+    int nodes_v = 0;      // along theta, for R
+    int nodes_psi = 0;    // along azimuth, for g
+    int nodes_rho = 0;    // along azimuth, for R
+    bool albedo = false;  // R(k) with F = 1, and with the design's Fresnel factor
+    int fresnel_tables = 0;  // 0: F = 1 alone; 1: Schlick's weight; 3: exact, a colour each
+    std::vector<Omission> omissions;
+};
+
+struct PlanOptions {
+    Quality quality = Quality::final;
+    bool albedo = false;  // R is wanted even if no diffuse term reads it (ambient light, the `tables` verb)
+};
+
+BakePlan plan_bake(const Design& design, const PlanOptions& options);
+
+}  // namespace nacre

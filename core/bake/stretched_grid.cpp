@@ -1,0 +1,141 @@
+#include "core/bake/stretched_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nacre {
+namespace {
+
+using std::numbers::pi;
+
+// D is kept above this part of Mz, so that the coordinates exist where no facet leans at all; S absorbs it.
+constexpr double smallest_width = 1e-6;
+
+}  // namespace
+
+// 2 v = a/(y + a) + 1/(y + 1): the positive root of 2 v y^2 - (1 - 2 v)(1 + a) y - 2 (1 - v) a = 0.
+double cotangent_at_v(double v, double a) {
+    const double b = 0.5 * (1 - 2 * v) * (1 + a);
+    const double root = std::sqrt(b * b + 4 * v * (1 - v) * a);
+    return b >= 0 ? (b + root) / (2 * v) : 2 * (1 - v) * a / (root - b);
+}
+
+// psi + phi = 2 rho and tan(psi) = r tan(phi), r = Ly/Lx, within one quadrant:
+//   r sin(2 rho) t^2 + (1 + r) cos(2 rho) t - sin(2 rho) = 0,  t = tan(phi) >= 0.
+dvec2 azimuth_at_rho(double rho, dvec2 stretch) {
+    const double quadrant = std::floor(rho / (0.5 * pi));
+    const bool swapped = static_cast<int>(quadrant) % 2 != 0;
+    const double within = rho - quadrant * (0.5 * pi);
+    const double r = swapped ? stretch.x / stretch.y : stretch.y / stretch.x;
+    const double s = std::sin(2 * within), c = (1 + r) * std::cos(2 * within);
+    const double root = std::sqrt(c * c + 4 * r * s * s);
+    const dvec2 e = glm::normalize(c > 0 ? dvec2{c + root, 2 * s} : dvec2{2 * r * s, root - c});
+    const double turn = quadrant * (0.5 * pi);
+    const dvec2 q{std::round(std::cos(turn)), std::round(std::sin(turn))};
+    return {q.x * e.x - q.y * e.y, q.y * e.x + q.x * e.y};
+}
+
+StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const BakePlan& plan)
+    : distribution_(distribution),
+      symmetry_(plan.symmetry.symmetry),
+      nodes_psi_(plan.nodes_psi),
+      nodes_rho_(plan.nodes_rho),
+      moment_(distribution.area({0, 0, 1}).gradient) {
+    fit_ellipse(plan.symmetry);
+    for (int row = 0; row < nodes_psi_; ++row) {
+        const dvec2 e = area_azimuth(row);
+        data_.push_back(static_cast<float>(width(std::atan2(e.y, e.x)) / ellipse(e)));
+    }
+    auto& shape = shading_.surface.tables;
+    shape.moment = moment_;
+    shape.axis = axis_;
+    shape.stretch = stretch_;
+    shape.symmetry = static_cast<int>(symmetry_);
+    shape.nodes_psi = nodes_psi_;
+    shading_.data = data_.data();
+}
+
+// D(phi) = g - k.M at grazing.
+double StretchedGrid::width(double phi) const {
+    const dvec3 k{std::cos(phi), std::sin(phi), 0};
+    const double d = distribution_.area(k).g - glm::dot(k, moment_);
+    return std::fmax(d, smallest_width * moment_.z);
+}
+
+// The ellipse through D's even part along the axis where it is least, and across. D is the support function
+// of a flat figure, so its even part has one minimum between neighbours of a dense row.
+void StretchedGrid::fit_ellipse(const DistributionSymmetry& symmetry) {
+    auto even = [&](double phi) { return 0.5 * (width(phi) + width(phi + pi)); };
+    double axis = symmetry.axis * (pi / 180);
+    if (symmetry_ == Symmetry::none) {
+        constexpr int steps = 64;
+        int best = 0;
+        for (int i = 1; i < steps; ++i)
+            if (even(pi * i / steps) < even(pi * best / steps)) best = i;
+        double low = pi * (best - 1) / steps, high = pi * (best + 1) / steps;
+        const double ratio = 1 / std::numbers::phi;
+        while (high - low > 1e-10) {
+            const double a = high - ratio * (high - low), b = low + ratio * (high - low);
+            if (even(a) < even(b)) {
+                high = b;
+            } else {
+                low = a;
+            }
+        }
+        axis = 0.5 * (low + high);
+    }
+    axis_ = {std::cos(axis), std::sin(axis)};
+    stretch_ = symmetry_ == Symmetry::isotropic ? dvec2{even(axis)} : dvec2{even(axis), even(axis + pi / 2)};
+}
+
+double StretchedGrid::row_angle(double row, int nodes) const {
+    switch (symmetry_) {
+        case Symmetry::isotropic: break;
+        case Symmetry::quarter: return 0.5 * pi * row / (nodes - 1);
+        case Symmetry::half: return pi * row / (nodes - 1);
+        case Symmetry::none: return 2 * pi * row / nodes;
+    }
+    return 0;
+}
+
+dvec2 StretchedGrid::turned(dvec2 e) const {
+    return {axis_.x * e.x - axis_.y * e.y, axis_.y * e.x + axis_.x * e.y};
+}
+
+dvec2 StretchedGrid::area_azimuth(double row) const {
+    const double psi = row_angle(row, nodes_psi_);
+    return turned(glm::normalize(dvec2{std::cos(psi) * stretch_.y, std::sin(psi) * stretch_.x}));
+}
+
+dvec2 StretchedGrid::albedo_azimuth(double row) const { return turned(azimuth_at_rho(row_angle(row, nodes_rho_), stretch_)); }
+
+double StretchedGrid::ellipse(dvec2 e) const {
+    return std::hypot(stretch_.x * (axis_.x * e.x + axis_.y * e.y), stretch_.y * (axis_.x * e.y - axis_.y * e.x));
+}
+
+double StretchedGrid::grazing_width(dvec2 e) const {
+    return shading_.table_spot({e.x, e.y, 0}).q;
+}
+
+// w = a/(y + a) with y = cot(theta), a = 2 D/Mz.
+dvec3 StretchedGrid::area_direction(double w, double row) const {
+    const dvec2 e = area_azimuth(row);
+    const dvec2 polar = glm::normalize(dvec2{2 * grazing_width(e) * (1 - w), w * moment_.z});
+    return {e * polar.y, polar.x};
+}
+
+dvec3 StretchedGrid::albedo_direction(double v, double row) const {
+    if (v <= 0) return {0, 0, 1};
+    const dvec2 e = albedo_azimuth(row);
+    const dvec2 polar = glm::normalize(dvec2{cotangent_at_v(v, 2 * grazing_width(e) / moment_.z), 1});
+    return {e * polar.y, polar.x};
+}
+
+double StretchedGrid::shape_value(double w, double row, double g) const {
+    if (w <= 0) return 0;
+    const dvec3 k = area_direction(w, row);
+    return std::clamp((g - glm::dot(k, moment_)) / shading_.table_spot(k).q, 0.0, 1.0);
+}
+
+}  // namespace nacre

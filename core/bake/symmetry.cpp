@@ -1,0 +1,122 @@
+#include "core/bake/symmetry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nacre {
+namespace {
+
+bool same_angle(double a, double b, double period) {
+    return std::fabs(std::remainder(a - b, period)) < 1e-9;
+}
+
+// Period of the lobe's shape under rotation about its own axis, degrees; 0 when it is round.
+double shape_period(const Lobe& lobe) {
+    if (const auto* l = std::get_if<GaussianLobe>(&lobe)) return l->sigma_x == l->sigma_y ? 0 : 180;
+    if (const auto* l = std::get_if<GgxLobe>(&lobe)) return l->alpha_x == l->alpha_y ? 0 : 180;
+    if (const auto* l = std::get_if<BeckmannLobe>(&lobe)) return l->alpha_x == l->alpha_y ? 0 : 180;
+    return std::holds_alternative<PaintedLobe>(lobe) ? 360 : 0;
+}
+
+bool picture_mirrors(const Raster& r, bool across_y) {
+    for (int row = 0; row < r.height; ++row)
+        for (int column = 0; column < r.width; ++column) {
+            const int other = across_y ? row * r.width + (r.width - 1 - column) : (r.height - 1 - row) * r.width + column;
+            if (r.values[static_cast<std::size_t>(row * r.width + column)] != r.values[static_cast<std::size_t>(other)])
+                return false;
+        }
+    return true;
+}
+
+// Both axes of the lobe's own frame are mirrors of the pictures it holds; no other plane is looked for.
+struct PictureMirrors {
+    bool x = true;  // the plane through the lobe's x axis
+    bool y = true;
+};
+
+PictureMirrors picture_mirrors(const Layer& layer) {
+    PictureMirrors mirrors;
+    auto add = [&](const Picture& picture) {
+        mirrors.x = mirrors.x && picture_mirrors(*picture.raster, false);
+        mirrors.y = mirrors.y && picture_mirrors(*picture.raster, true);
+    };
+    if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe)) add(painted->image);
+    if (layer.modulation) add(layer.modulation->image);
+    return mirrors;
+}
+
+bool holds_picture(const Layer& layer) {
+    return layer.modulation.has_value() || std::holds_alternative<PaintedLobe>(layer.lobe);
+}
+
+bool is_round(const Layer& layer) { return shape_period(layer.lobe) == 0 && !holds_picture(layer); }
+
+bool upright(const Layer& layer) { return std::fabs(layer.tilt) < 1e-12; }
+
+// `b` is `a` seen in a mirror that stands on the azimuth `axis`.
+bool mirrored(const Layer& a, const Layer& b, double axis) {
+    if (a.weight != b.weight || a.lobe != b.lobe || a.modulation != b.modulation || a.tilt != b.tilt) return false;
+    if (!upright(a) && !same_angle(2 * axis - a.azimuth, b.azimuth, 360)) return false;
+    if (is_round(a)) return true;
+    const double wanted = 2 * axis - a.rotation;
+    if (!holds_picture(a)) return same_angle(wanted, b.rotation, shape_period(a.lobe));
+    const PictureMirrors mirrors = picture_mirrors(a);
+    return (mirrors.x && same_angle(wanted, b.rotation, 360)) || (mirrors.y && same_angle(wanted + 180, b.rotation, 360));
+}
+
+bool has_mirror(const std::vector<Layer>& layers, double axis) {
+    std::vector<bool> taken(layers.size(), false);
+    for (const Layer& layer : layers) {
+        bool found = false;
+        for (std::size_t j = 0; j < layers.size() && !found; ++j) {
+            if (taken[j] || !mirrored(layer, layers[j], axis)) continue;
+            taken[j] = found = true;
+        }
+        if (!found) return false;
+    }
+    return true;
+}
+
+std::vector<double> candidate_axes(const std::vector<Layer>& layers) {
+    std::vector<double> axes = {0};
+    for (const Layer& a : layers) {
+        for (const double angle : {a.azimuth, a.rotation}) {
+            axes.push_back(angle);
+            for (const Layer& b : layers) {
+                axes.push_back(0.5 * (angle + b.azimuth));
+                axes.push_back(0.5 * (angle + b.rotation));
+            }
+        }
+    }
+    for (std::size_t i = 0, n = axes.size(); i < n; ++i) axes.push_back(axes[i] + 90);
+    return axes;
+}
+
+}  // namespace
+
+DistributionSymmetry find_symmetry(const Distribution& distribution) {
+    std::vector<Layer> layers;
+    for (const Layer& layer : distribution.layers)
+        if (layer.enabled && layer.weight > 0) layers.push_back(layer);
+    if (std::all_of(layers.begin(), layers.end(), [](const Layer& l) { return is_round(l) && upright(l); }))
+        return {Symmetry::isotropic, 0};
+    DistributionSymmetry best;
+    for (const double axis : candidate_axes(layers)) {
+        if (!has_mirror(layers, axis)) continue;
+        if (has_mirror(layers, axis + 90)) return {Symmetry::quarter, axis};
+        if (best.symmetry == Symmetry::none) best = {Symmetry::half, axis};
+    }
+    return best;
+}
+
+const char* name_of(Symmetry symmetry) {
+    switch (symmetry) {
+        case Symmetry::isotropic: return "isotropic";
+        case Symmetry::quarter: return "quarter";
+        case Symmetry::half: return "half";
+        case Symmetry::none: return "none";
+    }
+    return "";
+}
+
+}  // namespace nacre

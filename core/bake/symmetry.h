@@ -1,0 +1,20 @@
+// Mirror planes and roundness of p, found from the layers' parameters (Ashikhmin 2000, sec. 5.2).
+#pragma once
+
+#include "core/design/design.h"
+
+namespace nacre {
+
+enum class Symmetry { isotropic, quarter, half, none };  // in the order of SYMMETRY_* of the shader
+
+struct DistributionSymmetry {
+    Symmetry symmetry = Symmetry::none;
+    double axis = 0;  // degrees: azimuth of a mirror plane (quarter and half)
+};
+
+// Never claims a symmetry that p does not have; angles count as equal within 1e-9 degrees.
+DistributionSymmetry find_symmetry(const Distribution& distribution);
+
+const char* name_of(Symmetry symmetry);
+
+}  // namespace nacre

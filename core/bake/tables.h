@@ -1,0 +1,38 @@
+// What a bake makes: small tables of g(k) and R(k), and everything a renderer needs beside them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/bake/plan.h"
+#include "core/model/facet_distribution.h"
+#include "core/model/shading.h"
+
+namespace nacre {
+
+struct TableError {
+    double worst = 0;
+    double root_mean_square = 0;
+};
+
+// Immutable once baked; shared between threads by shared_ptr<const Tables>. The layout of `data` is that of
+// shaders/shared/tables.glsl and lobes.glsl; `shading` points into it.
+struct Tables {
+    Tables() = default;
+    Tables(const Tables&) = delete;
+    Tables& operator=(const Tables&) = delete;
+
+    BakePlan plan;
+    std::shared_ptr<const FacetDistribution> distribution;
+    std::vector<float> data;
+    Shading<double> shading;
+
+    dvec3 mean{0};           // H = <h>, p normalised to 1
+    double mean_albedo = 0;  // (1/pi) integral of R cos dk with F = 1, of the interpolant; 0 without R
+    TableError area_error;   // relative error of g, measured against p itself on directions between nodes
+    double seconds = 0;
+
+    std::size_t table_floats() const;  // of `data`: the tables without curves and pictures
+};
+
+}  // namespace nacre

@@ -1,0 +1,14 @@
+// What a design needs as a whole, beyond the range of each value.
+#pragma once
+
+#include <string>
+
+#include "core/design/design.h"
+
+namespace nacre {
+
+// Throws a UserError when no facet is left, when N = <n.h> must be 0, or when kd + ks exceeds 1.
+// Other distributions with N = 0 show only in the bake.
+void check_design(const Design& design, const std::string& file);
+
+}  // namespace nacre

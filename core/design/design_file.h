@@ -1,0 +1,28 @@
+// The design file, NAME.nacre: JSON that holds all of the work. docs/ describes its keys.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/design/design.h"
+
+namespace nacre {
+
+inline constexpr int design_version = 1;
+
+// Whatever is wrong with the file or with a picture it names is a UserError.
+Design load_design(const std::filesystem::path& file);
+
+// Pictures are looked for relative to `base_dir`.
+Design parse_design(std::string_view json_text, const std::string& file_name_for_errors,
+                    const std::filesystem::path& base_dir);
+
+// Picture files are named relative to `base_dir`. Parsed again, the text gives an equal design; keys
+// that the chosen models do not have (the correlation width of `uncorrelated`) are not in it.
+std::string design_json(const Design& design, const std::filesystem::path& base_dir);
+
+// The file appears whole or not at all.
+void save_design(const Design& design, const std::filesystem::path& file);
+
+}  // namespace nacre

@@ -1,0 +1,14 @@
+// One layer of the design file.
+#pragma once
+
+#include <filesystem>
+
+#include "core/design/design.h"
+#include "core/design/json_reader.h"
+
+namespace nacre {
+
+// Pictures are looked for relative to `base_dir`, which is absolute, and are read.
+Layer read_layer(const JsonValue& json, const std::filesystem::path& base_dir);
+
+}  // namespace nacre

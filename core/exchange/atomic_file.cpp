@@ -1,0 +1,109 @@
+#include "core/exchange/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <system_error>
+
+#include "core/design/error.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& file, const std::string& reason) {
+    throw UserError(file.string(), "write", "the file cannot be written", reason);
+}
+
+std::string system_reason(int error) { return std::generic_category().message(error); }
+
+// Where the bytes go: the end of a chain of symbolic links. Devices and pipes are refused, since a
+// rename would replace the device itself.
+fs::path final_target(const fs::path& file) {
+    std::error_code error;
+    fs::path target = file;
+    if (fs::is_symlink(fs::symlink_status(file, error))) {
+        target = fs::weakly_canonical(file, error);
+        if (error) fail(file, error.message());
+    }
+    const fs::file_status status = fs::status(target, error);
+    if (fs::is_directory(status) || !target.has_filename()) fail(file, "it is a directory");
+    if (!fs::exists(status)) return target;
+    if (!fs::is_regular_file(status)) fail(file, "it is not a regular file");
+    if (::access(target.c_str(), W_OK) != 0) fail(file, system_reason(errno));
+    return target;
+}
+
+// A file of its own beside `target`, removed unless it has become the target.
+class TemporaryFile {
+  public:
+    TemporaryFile(const fs::path& file, const fs::path& target) : file_(file), target_(target) {
+        std::random_device random;
+        int descriptor = -1;
+        for (int attempt = 0; attempt < 100 && descriptor < 0; ++attempt) {
+            const std::uint64_t id = (std::uint64_t{random()} << 32) | random();
+            path_ = target.parent_path() / fmt::format(".nacre-{:016x}{}", id, target.extension().string());
+            descriptor = ::open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+            if (descriptor < 0 && errno != EEXIST) break;
+        }
+        if (descriptor < 0) fail(file, system_reason(errno));
+        struct stat old {};
+        if (::stat(target.c_str(), &old) == 0) ::fchmod(descriptor, old.st_mode & 07777);
+        ::close(descriptor);
+    }
+
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    ~TemporaryFile() {
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+
+    const fs::path& path() const { return path_; }
+
+    void become_target() {
+        if (::rename(path_.c_str(), target_.c_str()) != 0) fail(file_, system_reason(errno));
+        path_.clear();
+    }
+
+  private:
+    const fs::path& file_;
+    const fs::path& target_;
+    fs::path path_;
+};
+
+// A full disk may show only when the last bytes leave the buffer, on close.
+void write_bytes(const fs::path& path, std::string_view bytes, const fs::path& file) {
+    std::FILE* const stream = std::fopen(path.c_str(), "wbe");
+    if (!stream) fail(file, system_reason(errno));
+    errno = 0;
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size();
+    const int write_error = errno;
+    const bool closed = std::fclose(stream) == 0;
+    if (!written) fail(file, system_reason(write_error));
+    if (!closed) fail(file, system_reason(errno));
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& file, std::string_view bytes) {
+    write_file_atomically(file, [&](const fs::path& temporary) { write_bytes(temporary, bytes, file); });
+}
+
+void write_file_atomically(const fs::path& file,
+                           const std::function<void(const fs::path& temporary)>& write) {
+    const fs::path target = final_target(file);
+    TemporaryFile temporary(file, target);
+    write(temporary.path());
+    temporary.become_target();
+}
+
+}  // namespace nacre

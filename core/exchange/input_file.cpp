@@ -1,0 +1,53 @@
+#include "core/exchange/input_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "core/design/design.h"
+#include "core/design/error.h"
+
+namespace nacre {
+
+namespace fs = std::filesystem;
+
+std::string input_file_problem(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (error) return error.message();
+    if (fs::is_directory(status)) return "a directory, not a file";
+    if (!fs::is_regular_file(status)) return "not a regular file";
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (error) return error.message();
+    if (size > limits::file_bytes_max)
+        return fmt::format("{} bytes, more than the {} that are read", size, limits::file_bytes_max);
+    errno = 0;
+    if (!std::ifstream(file)) return std::generic_category().message(errno);
+    return {};
+}
+
+std::string read_text_file(const fs::path& file) {
+    if (const std::string problem = input_file_problem(file); !problem.empty())
+        throw UserError(file.string(), "open", "the file cannot be read", problem);
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    std::string text(error ? 0 : size, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    errno = 0;
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (error || stream.bad() || static_cast<std::size_t>(stream.gcount()) != text.size())
+        throw UserError(file.string(), "read", "the file cannot be read",
+                        error ? error.message() : std::generic_category().message(errno));
+    return text;
+}
+
+fs::path absolute_folder(const fs::path& folder) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path canonical = fs::weakly_canonical(absolute, error);
+    return error ? absolute.lexically_normal() : canonical;
+}
+
+}  // namespace nacre

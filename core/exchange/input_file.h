@@ -1,0 +1,21 @@
+// Files that are read: only regular files of a bounded size, so that no device or pipe can hang a
+// program and no file can exhaust its memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace nacre {
+
+// Why `file` cannot be read, or an empty text.
+std::string input_file_problem(const std::filesystem::path& file);
+
+// The whole file. What is wrong is a UserError about `file`, at `open` or `read`.
+std::string read_text_file(const std::filesystem::path& file);
+
+// The folder with symbolic links resolved, the current one when empty: `..` in a path relative to it
+// then means what it means to the system.
+std::filesystem::path absolute_folder(const std::filesystem::path& folder);
+
+}  // namespace nacre

@@ -1,0 +1,192 @@
+#include "core/exchange/picture.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/design/error.h"
+#include "core/exchange/area_average.h"
+#include "core/exchange/input_file.h"
+#include "core/exchange/png_chunks.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int channels_max = 8;
+
+// A picture that cannot be used, with the reason.
+struct PictureProblem : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// OpenImageIO's name of the format, by the file's first bytes: its own choice by file name would also
+// try movies, raw camera files and formats without content.
+std::string format_of(const fs::path& file) {
+    using namespace std::string_view_literals;
+    constexpr std::pair<std::string_view, const char*> signatures[] = {{"\x89PNG\r\n"sv, "png"},
+                                                                       {"\xFF\xD8\xFF"sv, "jpeg"},
+                                                                       {"\x76\x2F\x31\x01"sv, "openexr"},
+                                                                       {"II*\0"sv, "tiff"},
+                                                                       {"MM\0*"sv, "tiff"},
+                                                                       {"II+\0"sv, "tiff"},
+                                                                       {"MM\0+"sv, "tiff"},
+                                                                       {"#?"sv, "hdr"},
+                                                                       {"P2"sv, "pnm"},
+                                                                       {"P3"sv, "pnm"},
+                                                                       {"P5"sv, "pnm"},
+                                                                       {"P6"sv, "pnm"},
+                                                                       {"PF"sv, "pnm"},
+                                                                       {"Pf"sv, "pnm"}};
+    std::array<char, 8> start{};
+    std::ifstream(file, std::ios::binary).read(start.data(), start.size());
+    for (const auto& [signature, name] : signatures)
+        if (std::string_view(start.data(), start.size()).starts_with(signature)) return name;
+    throw PictureProblem("no PNG, EXR, TIFF, JPEG, HDR or PNM picture");
+}
+
+// The reason that the reader gives; asking also keeps it from being printed when the reader goes.
+std::string reason_of(OIIO::ImageInput& input) {
+    const std::string reason = input.geterror();
+    return reason.empty() ? "the picture is damaged" : reason;
+}
+
+void check_header(const OIIO::ImageSpec& spec) {
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep)
+        throw PictureProblem("no flat picture");
+    if (spec.width != spec.height)
+        throw PictureProblem(
+            fmt::format("{} x {} pixels, a picture must be square", spec.width, spec.height));
+    if (spec.width > limits::picture_max)
+        throw PictureProblem(
+            fmt::format("{} x {} pixels, more than {} a side", spec.width, spec.height, limits::picture_max));
+    if (spec.nchannels < 1 || spec.nchannels > channels_max)
+        throw PictureProblem(fmt::format("{} channels, must be 1 to {}", spec.nchannels, channels_max));
+    if (spec.tile_width > limits::picture_max || spec.tile_height > limits::picture_max ||
+        spec.tile_depth > 1)
+        throw PictureProblem(fmt::format("tiles of {} x {} pixels", spec.tile_width, spec.tile_height));
+    const bool cropped = spec.width != spec.full_width || spec.height != spec.full_height;
+    if (cropped) throw PictureProblem("cropped: the data window must be the display window");
+}
+
+double decode_srgb(double value) {
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+// Turns the channels of one pixel into one grey value.
+struct GreyReader {
+    int alpha = -1;                      // channel, or none
+    std::array<int, 3> colour{0, 0, 0};  // channels
+    int colours = 1;
+    bool encoded = false;     // as sRGB
+    bool associated = false;  // the colours have been multiplied by alpha already
+
+    explicit GreyReader(const OIIO::ImageSpec& spec)
+        : alpha(spec.nchannels > 1 ? spec.alpha_channel : -1),
+          colours(spec.nchannels - (alpha >= 0 ? 1 : 0) >= 3 ? 3 : 1),
+          encoded(!spec.format.is_floating_point()),
+          associated(alpha >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0) {
+        int channel = 0;
+        for (int i = 0; i < colours; ++channel)
+            if (channel != alpha) colour[static_cast<std::size_t>(i++)] = channel;
+    }
+
+    int channels_needed() const { return 1 + std::max({alpha, colour[0], colour[1], colour[2]}); }
+
+    double operator()(const float* pixel) const {
+        if (colours == 1) return linear(pixel, colour[0]);
+        return 0.2126 * linear(pixel, colour[0]) + 0.7152 * linear(pixel, colour[1]) +
+               0.0722 * linear(pixel, colour[2]);
+    }
+
+    double linear(const float* pixel, int channel) const {
+        const double value = pixel[channel];
+        const double opacity = alpha < 0 ? 1 : pixel[alpha];
+        if (opacity == 0) return 0;
+        if (!encoded) return associated ? value : value * opacity;
+        return opacity * decode_srgb(associated ? std::min(value / opacity, 1.0) : value);
+    }
+};
+
+Raster read_pixels(OIIO::ImageInput& input) {
+    const OIIO::ImageSpec& spec = input.spec();
+    const GreyReader grey(spec);
+    const auto side = static_cast<std::size_t>(spec.width);
+    const auto channels = static_cast<std::size_t>(grey.channels_needed());
+    std::vector<float> pixels(side * side * channels);
+    const bool read = input.read_image(0, 0, 0, grey.channels_needed(), OIIO::TypeDesc::FLOAT, pixels.data());
+    if (!read || input.has_error()) throw PictureProblem(reason_of(input));
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (!std::isfinite(pixels[i]) || pixels[i] < 0)
+            throw PictureProblem(
+                fmt::format("pixel ({}, {}) from the top left is {}, must be finite and >= 0",
+                            i / channels % side, i / channels / side, pixels[i]));
+    Raster raster{spec.width, spec.height, std::vector<float>(side * side)};
+    constexpr double most = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < side * side; ++i)
+        raster.values[i] = static_cast<float>(std::min(grey(&pixels[i * channels]), most));
+    return raster;
+}
+
+// Turns a picture that was taken lying or mirrored; `orientation` is EXIF's, 1 to 8.
+Raster upright(const Raster& raster, int orientation) {
+    if (orientation <= 1 || orientation > 8) return raster;
+    const bool transposes = orientation >= 5;
+    const bool flips_x = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool flips_y = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    Raster turned = raster;
+    const int last = raster.width - 1;
+    for (int y = 0; y <= last; ++y)
+        for (int x = 0; x <= last; ++x) {
+            const int column = transposes ? y : x;
+            const int row = transposes ? x : y;
+            const int from = (flips_y ? last - row : row) * raster.width + (flips_x ? last - column : column);
+            turned.values[static_cast<std::size_t>(y * raster.width + x)] =
+                raster.values[static_cast<std::size_t>(from)];
+        }
+    return turned;
+}
+
+Raster read_picture(const fs::path& file) {
+    if (const std::string problem = input_file_problem(file); !problem.empty()) throw PictureProblem(problem);
+    const std::string format = format_of(file);
+    std::string png = format == "png" ? essential_png(read_text_file(file)) : "";
+    OIIO::Filesystem::IOMemReader memory(png.data(), png.size());
+    const auto input = OIIO::ImageInput::create(format);
+    if (!input) throw PictureProblem(OIIO::geterror());
+    if (!png.empty()) input->set_ioproxy(&memory);
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::ImageSpec spec;
+    if (!input->open(file.string(), spec, as_stored)) throw PictureProblem(reason_of(*input));
+    check_header(spec);
+    const Raster raster = upright(read_pixels(*input), spec.get_int_attribute("Orientation", 1));
+    return raster.width > limits::raster_max ? area_average(raster, limits::raster_max) : raster;
+}
+
+}  // namespace
+
+Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where) {
+    std::string reason;
+    try {
+        return read_picture(file);
+    } catch (const std::exception& problem) {
+        reason = problem.what();
+    } catch (...) {
+        reason = "its reader gave up";
+    }
+    throw UserError(error_file, error_where, "the picture " + file.string() + " cannot be used", reason);
+}
+
+}  // namespace nacre

@@ -1,0 +1,80 @@
+#include "core/exchange/shader_variant.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "shaders/shader_text.h"
+
+namespace nacre {
+namespace {
+
+using Shader = Shading<double>;
+
+std::string text_of(std::string_view name) {
+    const std::string_view text = shader_text(name);
+    assert(!text.empty());
+    return std::string(text);
+}
+
+}  // namespace
+
+ShaderVariant variant_of(const Shading<double>& shading) {
+    ShaderVariant variant;
+    variant.kinds = shading.kinds;
+    for (int i = 0; i < shading.layer_count; ++i) {
+        variant.lobes.insert(shading.layers[i].kind);
+        variant.modulation = variant.modulation || shading.layers[i].picture_size > 0;
+    }
+    return variant;
+}
+
+std::string variant_definitions(const ShaderVariant& variant) {
+    std::string text =
+        "#define real float\n#define real2 vec2\n#define real3 vec3\n"
+        "#define CONSTANT const\n#define PURE\n#define READS\n";
+    text += fmt::format("#define MAX_LAYERS {}\n", limits::layers_max);
+    auto define = [&](std::string_view name, bool on) { text += fmt::format("#define {} {}\n", name, on ? 1 : 0); };
+    auto has = [&](int kind) { return variant.lobes.count(kind) > 0; };
+    define("HAS_GAUSSIAN", has(Shader::LOBE_GAUSSIAN));
+    define("HAS_INVERSE_GAUSSIAN", has(Shader::LOBE_INVERSE_GAUSSIAN));
+    define("HAS_GGX", has(Shader::LOBE_GGX));
+    define("HAS_BECKMANN", has(Shader::LOBE_BECKMANN));
+    define("HAS_UNIFORM", has(Shader::LOBE_HEMISPHERE) || has(Shader::LOBE_SPHERE));
+    define("HAS_CURVE", has(Shader::LOBE_CURVE));
+    define("HAS_PAINTED", has(Shader::LOBE_PAINTED));
+    define("HAS_MODULATION", variant.modulation);
+    define("HAS_ALBEDO", variant.kinds.albedo);
+    define("FRESNEL_SCHLICK", variant.kinds.fresnel == FresnelKind::schlick);
+    define("FRESNEL_DIELECTRIC", variant.kinds.fresnel == FresnelKind::dielectric);
+    define("FRESNEL_CONDUCTOR", variant.kinds.fresnel == FresnelKind::conductor);
+    define("VISIBILITY_CORRELATED", variant.kinds.visibility == VisibilityKind::correlated);
+    define("VISIBILITY_SMITH", variant.kinds.visibility == VisibilityKind::smith_correlated);
+    define("DIFFUSE_LAMBERTIAN", variant.kinds.diffuse == DiffuseKind::lambertian);
+    define("DIFFUSE_COUPLED", variant.kinds.diffuse == DiffuseKind::coupled);
+    define("DIFFUSE_METAL", variant.kinds.diffuse == DiffuseKind::metal);
+    define("SECOND_LIGHT", variant.second_light);
+    define("AMBIENT_LIGHT", variant.ambient);
+    text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
+    for (const char* kind : {"FRESNEL_IS_SCHLICK", "FRESNEL_IS_DIELECTRIC", "FRESNEL_IS_CONDUCTOR",
+                             "VISIBILITY_IS_CORRELATED", "VISIBILITY_IS_SMITH", "READS_ALBEDO"})
+        text += fmt::format("#define {} true\n", kind);
+    text += fmt::format("#define DIFFUSE_IS_LAMBERTIAN {}\n", variant.kinds.diffuse == DiffuseKind::lambertian);
+    text += fmt::format("#define DIFFUSE_IS_COUPLED {}\n", variant.kinds.diffuse == DiffuseKind::coupled);
+    text += fmt::format("#define DIFFUSE_IS_METAL {}\n", variant.kinds.diffuse == DiffuseKind::metal);
+    return text;
+}
+
+std::string shared_parameters() { return text_of("shared/parameters.glsl"); }
+
+std::string shared_mathematics() {
+    return text_of("shared/fresnel.glsl") + "\n" + text_of("shared/lobes.glsl") + "\n" + text_of("shared/tables.glsl") +
+           "\n" + text_of("shared/brdf.glsl");
+}
+
+std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
+    return "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" + text_of("uniforms.glsl") +
+           "\n" + shared_mathematics() + "\n" + text_of(main);
+}
+
+}  // namespace nacre

@@ -1,0 +1,35 @@
+// A shader variant as a value, turned into GLSL text by a pure function: it holds only what its design and its
+// scene need.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/bake/tables.h"
+
+namespace nacre {
+
+struct ShaderVariant {
+    std::set<int> lobes;  // LOBE_* in use
+    bool modulation = false;
+    ShadingKinds kinds;
+    bool second_light = false;
+    bool ambient = false;
+
+    bool operator==(const ShaderVariant&) const = default;
+};
+
+ShaderVariant variant_of(const Shading<double>& shading);
+
+// The definitions that stand for what the variant fixes, without #version.
+std::string variant_definitions(const ShaderVariant& variant);
+
+// The shared mathematics, in order: what comes before `fetch` is defined, and what comes after.
+std::string shared_parameters();
+std::string shared_mathematics();
+
+// A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "sphere.frag".
+std::string fragment_shader(const ShaderVariant& variant, std::string_view main);
+
+}  // namespace nacre

@@ -1,0 +1,166 @@
+#include "core/measure/physics_check.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/bake/bake.h"
+#include "core/bake/brdf.h"
+#include "core/measure/albedo_check.h"
+#include "core/measure/facet_integral.h"
+#include "core/measure/sampling_check.h"
+#include "core/measure/table_error.h"
+
+namespace nacre {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double smooth_tolerance = 1e-6, picture_tolerance = 2e-3;  // of an integral over p
+constexpr double area_tolerance = 1e-3, albedo_table_tolerance = 3e-3;
+constexpr double upright_degrees = 0.01;  // H counts as parallel to n
+constexpr int furnace_directions = 8;
+constexpr int reciprocity_pairs = 20000;
+
+Verdict verdict(bool good) { return good ? Verdict::pass : Verdict::fail; }
+
+class PhysicsCheckRun {
+  public:
+    PhysicsCheckRun(const Design& design, std::stop_token stop, const std::function<void(double)>& progress)
+        : design_(design),
+          stop_(std::move(stop)),
+          progress_(progress),
+          with_picture_(holds_picture(design.distribution)),
+          tables_(bake(design, {.albedo = true}, stop_)),
+          reference_(design) {}
+
+    PhysicsReport run() {
+        report(0.1);
+        check_integrals();
+        report(0.3);
+        check_reciprocity();
+        report(0.4);
+        const AlbedoCheck albedo = measure_albedo(*tables_, reference_, stop_);
+        add("albedo", albedo.worst, 1 + 1e-6, verdict(albedo.violations == 0),
+            fmt::format("largest R at F = 1; above 1 in {} of {} directions", albedo.violations,
+                        albedo.directions));
+        check_mean_normal(albedo.violations > 0);
+        report(0.7);
+        check_tables();
+        report(0.85);
+        check_sampling();
+        report(1);
+        return result_;
+    }
+
+  private:
+    void report(double done) const {
+        if (stop_.stop_requested()) throw BakeCancelled();
+        if (progress_) progress_(done);
+    }
+
+    void add(const char* name, double figure, double bound, Verdict what, std::string text) {
+        result_.checks.push_back({name, what, figure, bound, std::move(text)});
+    }
+
+    void check_integrals() {
+        const FacetDistribution& distribution = *tables_->distribution;
+        const std::vector<dvec3> directions = probe_directions(with_picture_ ? 2 : furnace_directions);
+        std::vector<double> whole(directions.size()), visible(directions.size());
+        tbb::parallel_for(std::size_t{0}, directions.size(), [&](std::size_t i) {
+            const FacetIntegral integral =
+                integrate_facets(design_.distribution, distribution, directions[i], stop_);
+            const double g = distribution.area(directions[i]).g;
+            whole[i] = std::fabs(integral.whole - 1);
+            visible[i] = g > 0 ? std::fabs(integral.visible / g - 1) : integral.visible;
+        });
+        const double bound = with_picture_ ? picture_tolerance : smooth_tolerance;
+        const double p = *std::max_element(whole.begin(), whole.end());
+        const double g = *std::max_element(visible.begin(), visible.end());
+        add("normalisation", p, bound, verdict(p <= bound), "|integral of p - 1|");
+        add("white furnace", g, bound, verdict(g <= bound), "worst |integral of (k.h)+ p / g(k) - 1|");
+    }
+
+    // Half of the pairs are where the highlight is, the others anywhere, some of them grazing.
+    void check_reciprocity() {
+        const Brdf brdf(tables_);
+        Random random(1);
+        int wrong = 0;
+        for (int i = 0; i < reciprocity_pairs; ++i) {
+            const double c = i % 5 == 0 ? 1e-6 : uniform_random(random);
+            const double phi = 2 * pi * uniform_random(random), sine = std::sqrt((1 - c) * (1 + c));
+            const dvec3 a{sine * std::cos(phi), sine * std::sin(phi), c};
+            const auto sample = brdf.sample(a, random);
+            dvec3 b = glm::normalize(dvec3{uniform_random(random) - 0.5, uniform_random(random) - 0.5,
+                                           1e-6 + uniform_random(random)});
+            if (i % 2 == 0 && sample) b = sample->k2;
+            const dvec3 there = brdf.evaluate(a, b), back = brdf.evaluate(b, a);
+            bool good = there == back;
+            for (int channel = 0; channel < 3; ++channel)
+                good = good && std::isfinite(there[channel]) && there[channel] >= 0;
+            wrong += good ? 0 : 1;
+        }
+        add("reciprocity", wrong, 0, verdict(wrong == 0),
+            fmt::format("of {} pairs: differ in a bit, negative or not finite", reciprocity_pairs));
+    }
+
+    void check_mean_normal(bool creates_energy) {
+        const dvec3 mean = tables_->mean;
+        const double angle = std::atan2(std::hypot(mean.x, mean.y), mean.z) * 180 / pi;
+        const bool upright = angle <= upright_degrees;
+        const bool fails = !upright && !design_.shadowing.clamp && creates_energy;
+        add("mean normal", angle, upright_degrees,
+            upright ? Verdict::pass
+            : fails ? Verdict::fail
+                    : Verdict::note,
+            upright ? "degrees between <h> and n"
+                    : "degrees between <h> and n: p is no height field's, energy is kept only by the clamp");
+    }
+
+    void check_tables() {
+        const TableErrors errors = measure_table_errors(*tables_, reference_, stop_);
+        add("table of g", errors.area, area_tolerance, verdict(errors.area <= area_tolerance),
+            fmt::format("worst error over max(g, N c), {} directions", errors.area_directions));
+        add("tables of R", errors.albedo, albedo_table_tolerance,
+            verdict(errors.albedo <= albedo_table_tolerance),
+            fmt::format("worst error, {} directions", errors.albedo_directions));
+    }
+
+    void check_sampling() {
+        const SamplingCheck sampling = measure_sampling(design_, tables_, stop_);
+        const bool valid = design_.shadowing.clamp || result_.checks[3].verdict == Verdict::pass;
+        add("sampling weight", sampling.weight, 1e-3,
+            sampling.weight <= 1e-3 ? Verdict::pass
+            : valid                 ? Verdict::fail
+                                    : Verdict::note,
+            "largest weight/F - 1 of a visible facet");
+        const double bound = 0.02 * std::fmax(1.0, sampling.weight + 1);
+        add("sampling mean", sampling.mean, bound, verdict(sampling.mean <= bound),
+            "worst |mean weight - R|");
+    }
+
+    const Design& design_;
+    std::stop_token stop_;
+    const std::function<void(double)>& progress_;
+    bool with_picture_;
+    std::shared_ptr<const Tables> tables_;
+    Reference reference_;
+    PhysicsReport result_;
+};
+
+}  // namespace
+
+bool PhysicsReport::passed() const {
+    return std::none_of(checks.begin(), checks.end(),
+                        [](const PhysicsCheck& check) { return check.verdict == Verdict::fail; });
+}
+
+PhysicsReport check_physics(const Design& design, std::stop_token stop,
+                            const std::function<void(double)>& progress) {
+    return PhysicsCheckRun(design, std::move(stop), progress).run();
+}
+
+}  // namespace nacre

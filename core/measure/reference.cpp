@@ -1,0 +1,127 @@
+#include "core/measure/reference.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/bake/bake.h"
+#include "core/bake/plan.h"
+#include "core/bake/stretched_grid.h"
+#include "core/model/surface.h"
+
+namespace nacre {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double albedo_tolerance = 2e-7;
+constexpr int depth_azimuth = 20, depth_polar = 12;
+
+}  // namespace
+
+Reference::Reference(const Design& design) : distribution_(design.distribution) {
+    describe_material(design, distribution_, shading_);
+    describe_layers(design.distribution, distribution_, shading_, data_);
+    shading_.data = data_.data();
+    const BakePlan plan = plan_bake(design, {Quality::final, true});
+    channels_ = plan.fresnel_tables;
+    round_ = plan.symmetry.symmetry == Symmetry::isotropic;
+    reads_albedo_ = shading_.kinds.diffuse == DiffuseKind::coupled || shading_.kinds.diffuse == DiffuseKind::metal;
+    shading_.kinds.albedo = reads_albedo_;
+    for (const PlacedLobe& placed : distribution_.lobes()) {
+        std::vector<Facet> facets = placed.lobe->facets(0);
+        for (Facet& facet : facets) facet = {placed.frame * facet.h, placed.scale * facet.mass};
+        facets_.push_back(std::move(facets));
+    }
+}
+
+double Reference::visibility(dvec3 k) const {
+    const double g = projected_area(k);
+    const double nc = shading_.surface.N * k.z;
+    const double p = g > 0 ? nc / g : 0;
+    return shading_.kinds.clamp ? std::min(p, 1.0) : p;
+}
+
+AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
+    const FacetAlbedo integrand{shading_, k, projected_area(k), channels_};
+    auto area = [&](dvec3 k2) { return projected_area(k2); };
+    AlbedoValues sum{};
+    auto add = [&](const AlbedoValues& values, double weight) {
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
+    };
+    auto at = [&](const LobeWalk& walk, double psi, double chi) {
+        if (stop.stop_requested()) throw BakeCancelled();
+        const Facet facet = walk.facet(psi, chi);
+        AlbedoValues values{};
+        if (facet.mass <= 0) return values;
+        values = integrand(facet.h, area);
+        for (double& value : values) value *= facet.mass;
+        return values;
+    };
+    auto over_chi = [&](const LobeWalk& walk, double psi) {
+        const LobeWalk::Interval whole = walk.interval(psi);
+        AlbedoValues inner{};
+        std::vector<double> cuts = {whole.begin};
+        for (const double b : walk.breaks())
+            if (b > whole.begin && b < whole.end) cuts.push_back(b);
+        cuts.push_back(whole.end);
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            if (cuts[i + 1] <= cuts[i]) continue;
+            const AlbedoValues part = integrate_adaptively<4>([&](double chi) { return at(walk, psi, chi); }, cuts[i],
+                                                              cuts[i + 1], 0.2 * albedo_tolerance, depth_polar);
+            for (std::size_t j = 0; j < inner.size(); ++j) inner[j] += part[j];
+        }
+        return inner;
+    };
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+        const PlacedLobe& placed = distribution_.lobes()[i];
+        for (const Facet& facet : facets_[i]) {
+            if (stop.stop_requested()) throw BakeCancelled();
+            add(integrand(facet.h, area), facet.mass);
+        }
+        for (const LobeSpan& span : placed.lobe->spans()) {
+            const LobeWalk walk(placed, span, k);
+            for (int half = 0; half < 2; ++half)
+                add(integrate_adaptively<4>([&](double psi) { return over_chi(walk, psi); }, walk.start() + half * pi,
+                                            walk.start() + (half + 1) * pi, albedo_tolerance, depth_azimuth),
+                    1);
+        }
+    }
+    return sum;
+}
+
+dvec3 Reference::design_albedo(const AlbedoValues& values) const {
+    if (channels_ == 0) return dvec3{values[0]};
+    if (channels_ == 3) return {values[1], values[2], values[3]};
+    return shading_.surface.f0 * values[0] + (1.0 - shading_.surface.f0) * values[1];
+}
+
+Shading<double>::Direction Reference::direction(dvec3 k, std::stop_token stop) const {
+    return {k, projected_area(k), reads_albedo_ ? design_albedo(albedo(k, stop)) : dvec3{0}};
+}
+
+// Gauss-Legendre over theta, whose cosine weight hides the band near grazing where R turns, and the trapezoidal
+// rule over azimuth.
+void Reference::prepare_coupling(std::stop_token stop) {
+    if (!reads_albedo_) return;
+    const auto& rule = gauss_legendre<10>();
+    const int polar = static_cast<int>(rule.size());
+    const int azimuths = round_ ? 1 : 24;
+    std::vector<dvec3> parts(static_cast<std::size_t>(polar * azimuths));
+    tbb::parallel_for(0, polar * azimuths, [&](int i) {
+        const QuadraturePoint& node = rule[static_cast<std::size_t>(i % polar)];
+        const double phi = 2 * pi * (i / polar + 0.5) / azimuths;
+        const double theta = 0.5 * pi * node.x;
+        const double sine = std::sin(theta), cosine = std::cos(theta);
+        const auto spot = direction({sine * std::cos(phi), sine * std::sin(phi), cosine}, stop);
+        parts[static_cast<std::size_t>(i)] =
+            shading_.diffuse_share(spot) * (0.5 * pi * node.weight * sine * cosine * 2 * pi / azimuths);
+    });
+    dvec3 sum{0};
+    for (const dvec3& part : parts) sum += part;
+    for (int i = 0; i < 3; ++i) shading_.surface.coupling[i] = sum[i] > 1e-9 ? 1 / sum[i] : 0;
+}
+
+}  // namespace nacre

@@ -1,0 +1,77 @@
+#include "core/measure/table_error.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/bake/bake.h"
+
+namespace nacre {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double grazing = 1e-5;  // the smallest c
+constexpr int area_directions = 200, albedo_directions = 8;
+
+// Under clamp the BRDF reads g only where it exceeds N c.
+double area_error(const Tables& tables, const Reference& reference, dvec3 k) {
+    const Shading<double>& shading = tables.shading;
+    const double nc = shading.surface.N * k.z, floor = shading.kinds.clamp ? nc : 0;
+    const double read = std::fmax(shading.projected_area(k, shading.table_spot(k)), floor);
+    const double exact = std::fmax(reference.projected_area(k), floor);
+    const double divisor = std::fmax(exact, nc);
+    return divisor > 0 ? std::fabs(read - exact) / divisor : 0;
+}
+
+double albedo_error(const Tables& tables, const Reference& reference, dvec3 k, const std::stop_token& stop) {
+    const Shading<double>& shading = tables.shading;
+    const auto spot = shading.table_spot(k);
+    const AlbedoValues truth = reference.albedo(k, stop);
+    const double full = shading.full_albedo(spot),
+                 kept = shading.clamped_part(k, shading.projected_area(k, spot));
+    double error = std::fabs(full * kept - truth[0]);
+    const int channels = tables.plan.fresnel_tables;
+    const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
+    for (int c = 0; c < channels; ++c)
+        error = std::fmax(error, std::fabs(shading.fresnel_albedo(spot, full, f[c], c) * kept -
+                                           truth[static_cast<std::size_t>(c + 1)]));
+    return error;
+}
+
+}  // namespace
+
+std::vector<dvec3> probe_directions(int count) {
+    std::vector<dvec3> directions;
+    for (int i = 0; i < count; ++i) {
+        // Evenly over theta, and every fourth one close to the horizon, evenly over the logarithm of c.
+        const double part = (i + 0.5) / count;
+        const double c = i % 4 == 3
+                             ? grazing * std::pow(0.1 / grazing, 1 - (i / 4 + 1.0) / std::max(count / 4, 1))
+                             : std::cos(0.5 * pi * part);
+        const double phi = 2 * pi * std::fmod((i + 0.5) * std::numbers::phi, 1.0);
+        const double sine = std::sqrt((1 - c) * (1 + c));
+        directions.push_back({sine * std::cos(phi), sine * std::sin(phi), c});
+    }
+    return directions;
+}
+
+TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop) {
+    TableErrors worst{.area_directions = area_directions, .albedo_directions = 0};
+    for (const dvec3 k : probe_directions(area_directions))
+        worst.area = std::fmax(worst.area, area_error(tables, reference, k));
+    if (!tables.plan.albedo) return worst;
+    worst.albedo_directions = albedo_directions;
+    const std::vector<dvec3> probes = probe_directions(albedo_directions);
+    std::vector<double> errors(probes.size());
+    tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t i) {
+        if (stop.stop_requested()) throw BakeCancelled();
+        errors[i] = albedo_error(tables, reference, probes[i], stop);
+    });
+    worst.albedo = *std::max_element(errors.begin(), errors.end());
+    return worst;
+}
+
+}  // namespace nacre

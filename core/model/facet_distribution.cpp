@@ -1,0 +1,94 @@
+#include "core/model/facet_distribution.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/design/error.h"
+
+namespace nacre {
+namespace {
+
+// A mean cosine under this is rounding: facets that face up and down cancel.
+constexpr double smallest_mean_cosine = 1e-7;
+
+glm::dmat3 rotation_about_z(double degrees) {
+    // Quarter turns stay exact, so that mirrored layers mirror to the bit.
+    const double turns = degrees / 90;
+    double c = std::cos(degrees * (std::numbers::pi / 180)), s = std::sin(degrees * (std::numbers::pi / 180));
+    if (turns == std::round(turns)) {
+        c = std::round(c);
+        s = std::round(s);
+    }
+    return {dvec3{c, s, 0}, dvec3{-s, c, 0}, dvec3{0, 0, 1}};
+}
+
+}  // namespace
+
+glm::dmat3 layer_frame(const Layer& layer) {
+    const double tilt = layer.tilt * (std::numbers::pi / 180);
+    const double c = std::cos(tilt), s = std::sin(tilt);
+    const glm::dmat3 lean{dvec3{c, 0, -s}, dvec3{0, 1, 0}, dvec3{s, 0, c}};
+    return rotation_about_z(layer.azimuth) * lean * rotation_about_z(layer.rotation - layer.azimuth);
+}
+
+FacetDistribution::FacetDistribution(const Distribution& distribution) {
+    // Shares are taken of the largest weight first, so that weights of 1e-30 and of 1e30 give the same p.
+    double largest = 0, total = 0;
+    for (const Layer& layer : distribution.layers)
+        if (layer.enabled) largest = std::fmax(largest, layer.weight);
+    for (const Layer& layer : distribution.layers)
+        if (layer.enabled && layer.weight > 0) total += layer.weight / largest;
+    for (std::size_t i = 0; i < distribution.layers.size(); ++i) {
+        const Layer& layer = distribution.layers[i];
+        if (!layer.enabled || layer.weight <= 0) continue;
+        const std::string where = fmt::format("distribution.layers[{}]", i);
+        std::shared_ptr<const LobeModel> lobe = make_lobe(layer);
+        const double mass = lobe->mass();
+        if (!(mass > 0) || !std::isfinite(mass))
+            throw UserError("", where, fmt::format("the layer holds no facets (its integral is {:g})", mass));
+        lobes_.push_back({layer_frame(layer), layer.weight / largest / total / mass, std::move(lobe), i});
+        mean_ += lobes_.back().frame * (lobes_.back().scale * lobes_.back().lobe->mean());
+    }
+    if (lobes_.empty())
+        throw UserError("", "distribution.layers", "no enabled layer has a weight above 0");
+    if (!(mean_.z > smallest_mean_cosine))
+        throw UserError("", "distribution",
+                        fmt::format("the facets must face up on the whole, N = <n.h> > 0 (found {:.3g})", mean_.z));
+}
+
+double FacetDistribution::density(dvec3 h) const {
+    double sum = 0;
+    for (const PlacedLobe& placed : lobes_)
+        sum += placed.scale * placed.lobe->density(glm::transpose(placed.frame) * h);
+    return sum;
+}
+
+Area FacetDistribution::area(dvec3 k) const {
+    Area sum;
+    for (const PlacedLobe& placed : lobes_) {
+        const Area part = placed.lobe->area(glm::transpose(placed.frame) * k);
+        sum.g += placed.scale * part.g;
+        sum.gradient += placed.scale * (placed.frame * part.gradient);
+    }
+    return sum;
+}
+
+dvec3 FacetDistribution::sample_visible(dvec3 k, Random& random) const {
+    std::vector<double> part(lobes_.size());
+    double total = 0;
+    for (std::size_t i = 0; i < lobes_.size(); ++i)
+        total += part[i] = lobes_[i].scale * lobes_[i].lobe->area(glm::transpose(lobes_[i].frame) * k).g;
+    double left = uniform_random(random) * total;
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < lobes_.size(); ++i) {
+        if (part[i] > 0) chosen = i;
+        if (left < part[i]) break;
+        left -= part[i];
+    }
+    const PlacedLobe& placed = lobes_[chosen];
+    return placed.frame * placed.lobe->sample_visible(glm::transpose(placed.frame) * k, random);
+}
+
+}  // namespace nacre

@@ -1,0 +1,40 @@
+// p(h) of a whole design: the weighted layers, each in its place, normalised to integral 1.
+#pragma once
+
+#include <vector>
+
+#include "core/model/lobe.h"
+
+namespace nacre {
+
+struct PlacedLobe {
+    glm::dmat3 frame;  // columns: the lobe's x, y, z in the surface's local frame
+    double scale;      // share of facet area over the lobe's own mass
+    std::shared_ptr<const LobeModel> lobe;
+    std::size_t layer;  // index in the design
+};
+
+// The frame of a layer: `rotation` about the axis, then the axis leans by `tilt` from n toward `azimuth`.
+glm::dmat3 layer_frame(const Layer& layer);
+
+class FacetDistribution {
+  public:
+    // Throws UserError when a layer or the whole holds no facets, or when N = <n.h> <= 0.
+    explicit FacetDistribution(const Distribution& distribution);
+
+    double density(dvec3 h) const;  // per steradian
+    Area area(dvec3 k) const;
+    dvec3 mean() const { return mean_; }  // H = <h>
+    double mean_cosine() const { return mean_.z; }  // N = <n.h>, without mean_cosine_scale
+
+    // A facet as k sees it, density (h.k)+ p(h)/g(k); g(k) > 0.
+    dvec3 sample_visible(dvec3 k, Random& random) const;
+
+    const std::vector<PlacedLobe>& lobes() const { return lobes_; }
+
+  private:
+    std::vector<PlacedLobe> lobes_;
+    dvec3 mean_{0};
+};
+
+}  // namespace nacre

@@ -1,0 +1,236 @@
+#include "core/model/isotropic_lobe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/model/quadrature.h"
+#include "core/model/shading.h"
+
+namespace nacre {
+namespace {
+
+using std::numbers::pi;
+
+// The ring of facets at theta, integrated over azimuth: how much of them k sees and where they point.
+struct Ring {
+    double tangential;  // integral of h along k's azimuth over the visible part
+    double axial;       // integral of h.z
+};
+
+Ring visible_ring(double sine, double cosine, double k_sine, double k_cosine) {
+    const double a = cosine * k_cosine, b = sine * k_sine;
+    if (a >= b) return {0, 2 * pi * cosine};
+    if (a <= -b) return {0, 0};
+    const double phi = std::acos(-a / b);
+    return {2 * sine * std::sin(phi), 2 * cosine * phi};
+}
+
+// theta over a piece of p that holds no corner, mapped so that the (3/2) powers at the ends, where a ring
+// begins or ceases to be wholly visible, become smooth: x = s^3 (10 - 15 s + 6 s^2).
+template <class Visit>
+void for_each_node(double a, double b, bool many, const Visit& visit) {
+    const auto& rule = many ? gauss_legendre<10>() : gauss_legendre<32>();
+    for (const QuadraturePoint& node : rule) {
+        const double s = node.x;
+        const double x = s * s * s * (10 + s * (6 * s - 15));
+        const double dx = 30 * s * s * (1 - s) * (1 - s);
+        visit(a + (b - a) * x, (b - a) * dx * node.weight);
+    }
+}
+
+// A function of theta with corners at `breaks` (angles after the stretch, see LobeSpan).
+class Isotropic : public LobeModel {
+  public:
+    Area area(dvec3 k) const override {
+        const double k_sine = std::hypot(k.x, k.y), k_cosine = k.z;
+        const double turn = std::atan2(std::fabs(k_cosine), k_sine);
+        Area sum;
+        double tangential = 0, axial = 0;
+        for_each_piece(turn, [&](double theta, double weight) {
+            const Ring ring = visible_ring(std::sin(theta), std::cos(theta), k_sine, k_cosine);
+            tangential += weight * ring.tangential;
+            axial += weight * ring.axial;
+        });
+        sum.g = std::fmax(k_sine * tangential + k_cosine * axial, 0.0);
+        const double scale = k_sine > 0 ? tangential / k_sine : 0;
+        sum.gradient = {scale * k.x, scale * k.y, axial};
+        return sum;
+    }
+
+    double mass() const override {
+        double sum = 0;
+        for_each_piece(pi / 2, [&](double, double weight) { sum += 2 * pi * weight; });
+        return sum;
+    }
+
+    // Draws theta from the masses of thin rings times a bound of what k sees of them, then azimuth, both by
+    // rejection against the exact density; |d(seen)/d(theta)| <= 1 bounds a ring by its ends.
+    dvec3 sample_visible(dvec3 k, Random& random) const override {
+        const double k_sine = std::hypot(k.x, k.y);
+        const double azimuth = k_sine > 0 ? std::atan2(k.y, k.x) : 0;
+        std::vector<double> bound(rings_.size());
+        double total = 0;
+        for (std::size_t i = 0; i < rings_.size(); ++i) {
+            const ThinRing& r = rings_[i];
+            const double seen = std::fmax(mean_seen(r.theta0, k_sine, k.z), mean_seen(r.theta1, k_sine, k.z));
+            total += bound[i] = r.peak * (r.theta1 - r.theta0) * std::fmin(seen + 0.5 * (r.theta1 - r.theta0), 1.0);
+        }
+        for (;;) {
+            double left = uniform_random(random) * total;
+            std::size_t i = 0;
+            while (i + 1 < rings_.size() && left >= bound[i]) left -= bound[i++];
+            const ThinRing& r = rings_[i];
+            const double theta = r.theta0 + (r.theta1 - r.theta0) * uniform_random(random);
+            const double ceiling = bound[i] / (r.theta1 - r.theta0);
+            const double seen = mean_seen(theta, k_sine, k.z);
+            if (uniform_random(random) * ceiling >= profile(theta) * std::sin(theta) * seen) continue;
+            const double a = std::cos(theta) * k.z, b = std::sin(theta) * k_sine;
+            const double half = a >= b ? pi : std::acos(std::fmax(-a / b, -1.0));
+            for (;;) {
+                const double phi = (2 * uniform_random(random) - 1) * half;
+                if (uniform_random(random) * (a + b) > a + b * std::cos(phi)) continue;
+                return {std::sin(theta) * std::cos(phi + azimuth), std::sin(theta) * std::sin(phi + azimuth),
+                        std::cos(theta)};
+            }
+        }
+    }
+
+  protected:
+    // Pieces: rising angles chi in h' that bound smooth parts of p; theta = atan2(stretch sin chi, cos chi).
+    void set_pieces(double stretch, std::vector<double> pieces) {
+        stretch_ = stretch;
+        pieces_ = std::move(pieces);
+        constexpr int thin = 128;
+        const double a = pieces_.front(), b = pieces_.back();
+        for (int i = 0; i < thin; ++i) {
+            const double theta0 = theta_of(a + (b - a) * i / thin), theta1 = theta_of(a + (b - a) * (i + 1) / thin);
+            const double peak = peak_over(theta0, theta1);
+            if (peak > 0) rings_.push_back({theta0, theta1, peak});
+        }
+    }
+
+    virtual double profile(double theta) const = 0;
+    // An upper bound of p(theta) sin(theta) between two angles, close where they are.
+    virtual double peak_over(double theta0, double theta1) const = 0;
+
+    double stretch_ = 1;
+    std::vector<double> pieces_;
+
+  private:
+    struct ThinRing {
+        double theta0, theta1, peak;
+    };
+
+    // Mean of (h.k)+ over the azimuth of a ring.
+    static double mean_seen(double theta, double k_sine, double k_cosine) {
+        const Ring ring = visible_ring(std::sin(theta), std::cos(theta), k_sine, k_cosine);
+        return std::fmax(k_sine * ring.tangential + k_cosine * ring.axial, 0.0) / (2 * pi);
+    }
+
+    double theta_of(double chi) const { return std::atan2(stretch_ * std::sin(chi), std::cos(chi)); }
+    double chi_of(double theta) const { return std::atan2(std::sin(theta), stretch_ * std::cos(theta)); }
+
+    // Visits theta with the weight p(theta) sin(theta) dtheta, in pieces also cut where rings at `turn` and
+    // at pi - turn begin to be seen in part.
+    template <class Visit>
+    void for_each_piece(double turn, const Visit& visit) const {
+        std::vector<double> cuts = pieces_;
+        for (const double theta : {turn, pi - turn}) {
+            const double chi = chi_of(theta);
+            if (chi > pieces_.front() && chi < pieces_.back()) cuts.push_back(chi);
+        }
+        std::sort(cuts.begin(), cuts.end());
+        const bool many = pieces_.size() > 24;
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            if (cuts[i + 1] <= cuts[i]) continue;
+            for_each_node(cuts[i], cuts[i + 1], many, [&](double chi, double weight) {
+                const double s = stretch_ * std::sin(chi), c = std::cos(chi);
+                const double theta = std::atan2(s, c);
+                const double weighted = profile(theta) * std::sin(theta) * stretch_ / (s * s + c * c) * weight;
+                if (weighted > 0) visit(theta, weighted);
+            });
+        }
+    }
+
+    std::vector<ThinRing> rings_;
+};
+
+class InverseGaussian final : public Isotropic {
+  public:
+    explicit InverseGaussian(const InverseGaussianLobe& lobe) : inverse_width_(1 / lobe.sigma) {
+        // Facets crowd at cot(theta) < sigma: the stretch that makes that width one.
+        // The exponential is cot^2(chi)/(1 + sigma^2): parted about where it rises from nothing, which one Gauss
+        // rule over all of it would resolve badly.
+        const double rise = std::atan(1 / std::hypot(1, lobe.sigma));
+        set_pieces(std::hypot(1, inverse_width_), {0, 0.5 * rise, rise, 0.5 * (rise + pi / 2), pi / 2});
+    }
+
+    double density(dvec3 h) const override { return Shading<double>::inverse_gaussian_density(h, inverse_width_); }
+    dvec3 mean() const override { return {0, 0, area({0, 0, 1}).g}; }
+    std::vector<LobeSpan> spans() const override { return {{dvec2{stretch_}, 1, {}}}; }
+
+  protected:
+    double profile(double theta) const override { return density({std::sin(theta), 0, std::cos(theta)}); }
+    double peak_over(double, double theta1) const override { return profile(std::fmin(theta1, pi / 2 - 1e-15)); }
+
+  private:
+    double inverse_width_;
+};
+
+class Curve final : public Isotropic {
+  public:
+    explicit Curve(const CurveLobe& lobe) {
+        std::vector<double> pieces;
+        for (const auto& [theta, value] : lobe.points) {
+            data_.push_back(static_cast<float>(theta * (pi / 180)));
+            data_.push_back(static_cast<float>(value));
+            pieces.push_back(data_[data_.size() - 2]);
+        }
+        shading_.data = data_.data();
+        set_pieces(1, std::move(pieces));
+    }
+
+    double density(dvec3 h) const override {
+        return shading_.curve_density(h, 0, static_cast<int>(data_.size() / 2));
+    }
+
+    std::vector<LobeSpan> spans() const override {
+        LobeSpan above, below;
+        below.flip = -1;
+        for (const double theta : pieces_) {
+            if (theta < pi / 2) above.breaks.push_back(theta);
+            if (theta > pi / 2) below.breaks.push_back(pi - theta);
+        }
+        std::reverse(below.breaks.begin(), below.breaks.end());
+        std::vector<LobeSpan> spans;
+        if (pieces_.front() < pi / 2) spans.push_back(above);
+        if (pieces_.back() > pi / 2) spans.push_back(below);
+        return spans;
+    }
+
+  protected:
+    double profile(double theta) const override { return density({std::sin(theta), 0, std::cos(theta)}); }
+
+    double peak_over(double theta0, double theta1) const override {
+        double peak = std::fmax(profile(theta0), profile(theta1));
+        for (std::size_t i = 0; i < data_.size(); i += 2)
+            if (data_[i] >= theta0 && data_[i] <= theta1) peak = std::fmax(peak, static_cast<double>(data_[i + 1]));
+        const double middle = theta0 < pi / 2 && theta1 > pi / 2 ? 1 : 0;
+        return peak * std::fmax(std::fmax(std::sin(theta0), std::sin(theta1)), middle);
+    }
+
+  private:
+    std::vector<float> data_;
+    Shading<double> shading_;
+};
+
+}  // namespace
+
+std::shared_ptr<const LobeModel> make_inverse_gaussian_lobe(const InverseGaussianLobe& lobe) {
+    return std::make_shared<InverseGaussian>(lobe);
+}
+
+std::shared_ptr<const LobeModel> make_curve_lobe(const CurveLobe& lobe) { return std::make_shared<Curve>(lobe); }
+
+}  // namespace nacre

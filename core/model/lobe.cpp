@@ -1,0 +1,51 @@
+#include "core/model/lobe.h"
+
+#include "core/model/gaussian_lobe.h"
+#include "core/model/isotropic_lobe.h"
+#include "core/model/picture_lobe.h"
+#include "core/model/standard_lobes.h"
+
+namespace nacre {
+namespace {
+
+template <class... Case>
+struct Cases : Case... {
+    using Case::operator()...;
+};
+
+std::shared_ptr<const LobeModel> make_plain_lobe(const Lobe& lobe) {
+    return std::visit(Cases{[](const GaussianLobe& l) { return make_gaussian_lobe(l); },
+                            [](const InverseGaussianLobe& l) { return make_inverse_gaussian_lobe(l); },
+                            [](const GgxLobe& l) { return make_ggx_lobe(l); },
+                            [](const BeckmannLobe& l) { return make_beckmann_lobe(l); },
+                            [](const UniformLobe& l) { return make_uniform_lobe(l); },
+                            [](const CurveLobe& l) { return make_curve_lobe(l); },
+                            [](const PaintedLobe& l) { return make_painted_lobe(l, {}); }},
+                      lobe);
+}
+
+}  // namespace
+
+dvec3 LobeModel::mean() const {
+    dvec3 sum{0};
+    for (int i = 0; i < 3; ++i) {
+        dvec3 k{0};
+        k[i] = 1;
+        sum[i] = area(k).g - area(-k).g;
+    }
+    return sum;
+}
+
+std::vector<Facet> LobeModel::facets(std::size_t) const { return {}; }
+
+std::shared_ptr<const LobeModel> make_lobe(const Layer& layer) {
+    if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
+        return make_painted_lobe(*painted, layer.modulation);
+    std::shared_ptr<const LobeModel> lobe = make_plain_lobe(layer.lobe);
+    if (layer.modulation) lobe = make_modulated_lobe(std::move(lobe), *layer.modulation);
+    return lobe;
+}
+
+double uniform_random(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+}  // namespace nacre

@@ -1,0 +1,60 @@
+// What a surface is made of, as the shader and core read it. Compiled as GLSL 3.30 and, inside a struct
+// of core/model/shading.h, as C++ in float and in double.
+
+CONSTANT int LOBE_GAUSSIAN = 0;
+CONSTANT int LOBE_INVERSE_GAUSSIAN = 1;
+CONSTANT int LOBE_GGX = 2;
+CONSTANT int LOBE_BECKMANN = 3;
+CONSTANT int LOBE_HEMISPHERE = 4;
+CONSTANT int LOBE_SPHERE = 5;
+CONSTANT int LOBE_CURVE = 6;
+CONSTANT int LOBE_PAINTED = 7;
+
+CONSTANT int SYMMETRY_ISOTROPIC = 0;  // p depends on theta alone
+CONSTANT int SYMMETRY_QUARTER = 1;    // two mirror planes
+CONSTANT int SYMMETRY_HALF = 2;       // one
+CONSTANT int SYMMETRY_NONE = 3;
+
+// One layer of p. Offsets count floats in the surface's data.
+struct Layer {
+    int kind;          // LOBE_*
+    real scale;        // density = scale * lobe (share of area over the lobe's own integral)
+    real3 axis_x;      // the lobe's frame, in the local frame of the surface
+    real3 axis_y;
+    real3 axis_z;
+    real2 inverse_width;   // 1/sigma or 1/alpha along x and y; 0 for an infinite width
+    int data_offset;   // curve: (theta, value) pairs; painted: texels, top row first
+    int data_size;     // curve: points; painted: texels a side
+    int picture_offset;    // modulation: texels, top row first
+    int picture_size;      // texels a side; 0 without modulation
+    real picture_strength;
+};
+
+// The baked tables' shape; see tables.glsl.
+struct TableShape {
+    real3 moment;   // integral of h p over the facets above the horizon
+    real2 axis;     // cos and sin of the azimuth that the tables are aligned with
+    real2 stretch;  // widths of p along that axis and across it
+    int symmetry;   // SYMMETRY_*
+    int nodes_w;      // along theta, for g
+    int nodes_v;      // along theta, for R
+    int nodes_psi;    // along azimuth, for g
+    int nodes_rho;    // along azimuth, for R
+    int width_offset;     // nodes_psi values
+    int area_offset;      // nodes_psi rows of nodes_w
+    int albedo_offset;    // nodes_rho rows of nodes_v
+    int residual_offset;  // the same, once or three times
+};
+
+struct Surface {
+    TableShape tables;
+    real N;             // <n.h> times the design's mean_cosine_scale
+    real correlation;   // standard deviation of t(phi), radians (eq. 14)
+    real3 f0;           // Schlick: reflectance at normal incidence
+    real3 eta;          // dielectric: x = index of refraction; conductor: real part
+    real3 kappa;        // conductor: imaginary part
+    real kd;            // eq. 27
+    real ks;
+    real3 albedo;       // rho_d
+    real3 coupling;     // the constant c of eq. 28, for each colour
+};

@@ -1,0 +1,113 @@
+// The projected area g(k) and the albedo R(k) from tables whose directions are stretched by p's own width,
+// so that their error does not depend on how narrow p is.
+//
+//   g(k) = k.M + d(k),   M = integral of h p over the facets above the horizon = grad g(n)
+//   d(k) = q S(w, psi),  q = sin(theta) D(phi),  D(phi) = d at grazing azimuth phi
+//   w = 2 q / (c Mz + 2 q),  psi = azimuth after p's width along and across `axis` is made one
+//
+// d is what turning from n toward k uncovers: facets below the horizon that come into sight and facets
+// above it that turn away. It is >= 0, and S falls from 1 at grazing (w = 1) to 0 at the normal (w = 0),
+// for every p, also one with facets below the horizon. D is stored over its ellipse, D = |L e(phi)| tau(psi).
+// R also turns at the scale of the hemisphere itself (Fresnel, a lobe that is narrow one way and wide the
+// other), so its tables share their nodes between both scales:
+//
+//   v = (w + sin(theta)/(c + sin(theta)))/2,   rho = (psi + phi)/2
+//
+// What they hold is the mean of F V over the facets that k sees, R G/g with G = max(g, N c): it stays smooth where
+// the clamp cuts in.
+//
+// Tables are bilinear; nodes stand on both ends in w and v, and in psi and rho on both ends of a folded range.
+
+CONSTANT real TABLE_PI = real(3.14159265358979323846);
+
+// Two neighbouring rows of a table and a place between them.
+struct TableRows {
+    int first;
+    int second;
+    real fraction;
+};
+
+// Where k lies in the tables.
+struct TableSpot {
+    TableRows psi;
+    TableRows rho;
+    real w;
+    real v;
+    real q;
+};
+
+// `turn` is an azimuth in the folded range: [0, pi/2], [0, pi] or (-pi, pi] for the whole circle.
+TableRows table_rows(real turn, int nodes) READS {
+    int symmetry = surface.tables.symmetry;
+    real place = real(0.0);
+    if (symmetry == SYMMETRY_QUARTER) place = turn * (real(2.0) / TABLE_PI) * real(nodes - 1);
+    if (symmetry == SYMMETRY_HALF) place = turn / TABLE_PI * real(nodes - 1);
+    if (symmetry == SYMMETRY_NONE) {
+        place = turn * (real(0.5) / TABLE_PI) * real(nodes);
+        if (place < real(0.0)) place += real(nodes);
+    }
+    TableRows rows;
+    rows.first = min(int(place), nodes - 1);
+    rows.second = rows.first + 1;
+    if (rows.second == nodes) rows.second = symmetry == SYMMETRY_NONE ? 0 : rows.first;
+    rows.fraction = place - real(rows.first);
+    return rows;
+}
+
+TableSpot table_spot(real3 k) READS {
+    TableShape shape = surface.tables;
+    real x = shape.axis.x * k.x + shape.axis.y * k.y;
+    real y = shape.axis.x * k.y - shape.axis.y * k.x;
+    if (shape.symmetry == SYMMETRY_QUARTER) x = abs(x);
+    if (shape.symmetry == SYMMETRY_QUARTER || shape.symmetry == SYMMETRY_HALF) y = abs(y);
+    real along = shape.stretch.x * x;
+    real across = shape.stretch.y * y;
+    TableSpot spot;
+    real psi = shape.symmetry == SYMMETRY_ISOTROPIC ? real(0.0) : atan(across, along);
+    spot.psi = table_rows(psi, shape.nodes_psi);
+    real tau = fetch(shape.width_offset + spot.psi.first) * (real(1.0) - spot.psi.fraction) +
+               fetch(shape.width_offset + spot.psi.second) * spot.psi.fraction;
+    spot.q = sqrt(along * along + across * across) * tau;
+    real denominator = k.z * shape.moment.z + real(2.0) * spot.q;
+    spot.w = denominator > real(0.0) ? min(real(2.0) * spot.q / denominator, real(1.0)) : real(0.0);
+    spot.rho = spot.psi;
+    spot.v = spot.w;
+#if HAS_ALBEDO
+    if (shape.symmetry != SYMMETRY_ISOTROPIC) spot.rho = table_rows(real(0.5) * (psi + atan(y, x)), shape.nodes_rho);
+    real sine = sqrt(k.x * k.x + k.y * k.y);
+    spot.v = min(real(0.5) * (spot.w + sine / (k.z + sine)), real(1.0));
+#endif
+    return spot;
+}
+
+// A table whose rows hold `nodes` values, at `at` in [0, 1] along them.
+real table_value(TableRows rows, int offset, int nodes, real at) READS {
+    real place = at * real(nodes - 1);
+    int column = min(int(place), nodes - 2);
+    real s = place - real(column);
+    int a = offset + rows.first * nodes + column;
+    int b = offset + rows.second * nodes + column;
+    real first = fetch(a) * (real(1.0) - s) + fetch(a + 1) * s;
+    real second = fetch(b) * (real(1.0) - s) + fetch(b + 1) * s;
+    return first * (real(1.0) - rows.fraction) + second * rows.fraction;
+}
+
+// g(k) for k.z >= 0, p normalised to 1                                     (Ashikhmin 2000, eq. 18)
+real projected_area(real3 k, TableSpot spot) READS {
+    real s = table_value(spot.psi, surface.tables.area_offset, surface.tables.nodes_w, spot.w);
+    return max(dot(k, surface.tables.moment) + spot.q * s, real(0.0));
+}
+
+#if HAS_ALBEDO
+// R G/g with F = 1 (the paper's f0 = 1)                                    (Ashikhmin 2000, eq. 29)
+real full_albedo(TableSpot spot) READS {
+    return max(table_value(spot.rho, surface.tables.albedo_offset, surface.tables.nodes_v, spot.v), real(0.0));
+}
+
+// R G/g with the Fresnel factor whose value at k.n is `fresnel_at_n`: stored as its difference to
+// F(k.n) times the one with F = 1, which stays smooth where all of Fresnel falls near grazing.
+real fresnel_albedo(TableSpot spot, real full, real fresnel_at_n, int channel) READS {
+    int offset = surface.tables.residual_offset + channel * surface.tables.nodes_v * surface.tables.nodes_rho;
+    return max(fresnel_at_n * full + table_value(spot.rho, offset, surface.tables.nodes_v, spot.v), real(0.0));
+}
+#endif

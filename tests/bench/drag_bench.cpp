@@ -1,0 +1,98 @@
+// How long a frame takes while a slider of an anisotropic design is dragged: every frame asks for new
+// tables. The same without any bake (exposure is dragged, which redraws the picture as often) tells
+// what the bake adds. On OSMesa, 1280 x 800; milliseconds.
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/gl/gl.h"
+#include "app/headless/stage.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+constexpr auto frame_time = std::chrono::microseconds(16667);
+
+nacre::Design anisotropic_design() {
+    nacre::Design design;
+    design.distribution.layers[0].lobe = nacre::GaussianLobe{0.1, 1.0};
+    design.diffuse = nacre::CoupledDiffuse{glm::dvec3(0.4, 0.05, 0.1)};
+    return design;
+}
+
+struct Run {
+    std::vector<double> frames;  // milliseconds
+    int drafts = 0;              // tables that reached the screen
+    int finals = 0;
+};
+
+// Moves the pointer to and fro over a slider for some seconds, sixty frames a second at the most.
+Run drag(nacre::Stage& stage, const std::string& slider, double seconds) {
+    stage.wait_for_bake();
+    const ImVec4 box = stage.items().rectangle(slider).value();
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = ImVec2((box.x + box.z) / 2, (box.y + box.w) / 2);
+    stage.frame();
+    io.MouseDown[0] = true;
+    Run run;
+    std::string shown = stage.designer().tables_text;
+    const auto begin = Clock::now();
+    auto next = begin;
+    while (Clock::now() - begin < std::chrono::duration<double>(seconds)) {
+        const double t = std::chrono::duration<double>(Clock::now() - begin).count();
+        io.MousePos.x = box.x + (box.z - box.x) * static_cast<float>(0.5 + 0.4 * std::sin(3 * t));
+        const auto start = Clock::now();
+        stage.frame();
+        glFinish();
+        run.frames.push_back(Milliseconds(Clock::now() - start).count());
+        if (const std::string& now = stage.designer().tables_text; now != shown) {
+            ++(now.starts_with("Final") ? run.finals : run.drafts);
+            shown = now;
+        }
+        next = std::max(next + frame_time, Clock::now());
+        std::this_thread::sleep_until(next);
+    }
+    io.MouseDown[0] = false;
+    stage.frame();
+    return run;
+}
+
+void print(const char* name, Run run) {
+    std::sort(run.frames.begin(), run.frames.end());
+    const auto at = [&](double share) {
+        return run.frames[static_cast<std::size_t>(share * static_cast<double>(run.frames.size() - 1))];
+    };
+    std::printf("%-14s %6zu frames   median %6.2f   99 %% %6.2f   worst %6.2f   drafts %d   finals %d\n",
+                name, run.frames.size(), at(0.5), at(0.99), run.frames.back(), run.drafts, run.finals);
+}
+
+void compare(double seconds) {
+    nacre::Stage stage({});
+    stage.designer().document = nacre::Document(anisotropic_design());
+    stage.frame();
+    stage.frame();
+    print("without bake", drag(stage, "Exposure", seconds));
+    print("with bake", drag(stage, "Width x", seconds));
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+    try {
+        compare(count > 1 ? std::atof(values[1]) : 5);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "nacre-drag-bench: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

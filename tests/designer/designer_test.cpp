@@ -1,0 +1,198 @@
+// The whole designer, driven as by hand on a window that nobody sees.
+#include "app/designer/designer.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "app/designer/preview_mouse.h"
+#include "app/headless/stage.h"
+#include "core/design/design_file.h"
+#include "core/design/error.h"
+
+using namespace nacre;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Rig {
+    Stage stage{{.size = {1280, 800}, .ui_scale = 1, .bake_threads = 1}};
+    Rig() {
+        stage.frame();
+        stage.frame();
+    }
+    void play(const std::string& text) { stage.play(parse_events(text, "test")); }
+    Document& document() { return stage.designer().document; }
+    const GaussianLobe& gaussian() {
+        return std::get<GaussianLobe>(document().design.distribution.layers[0].lobe);
+    }
+};
+
+struct TemporaryFolder {
+    fs::path path = fs::temp_directory_path() / ("nacre-designer-test-" + std::to_string(std::rand()));
+    TemporaryFolder() { fs::create_directories(path); }
+    ~TemporaryFolder() { fs::remove_all(path); }
+};
+
+}  // namespace
+
+TEST_CASE("designer: a drag is one step of undo, and undo and redo are exact") {
+    Rig r;
+    const Design before = r.document().design;
+    r.play("drag \"Width x\":0.5 \"Width x\":0.8 20");
+    const Design after = r.document().design;
+    CHECK(after != before);
+    CHECK(r.document().unsaved());
+    r.play("key Ctrl+Z");
+    CHECK(r.document().design == before);
+    CHECK(!r.document().history.can_undo());
+    CHECK(!r.document().unsaved());
+    r.play("key Ctrl+Shift+Z");
+    CHECK(r.document().design == after);
+    r.play("key Ctrl+Z\nkey Ctrl+Y");
+    CHECK(r.document().design == after);
+}
+
+TEST_CASE("designer: undo while a slider is held waits for the release") {
+    Rig r;
+    r.play("move \"Width x\":0.5\ndown left\nmove \"Width x\":0.7\nkey Ctrl+Z");
+    CHECK(!r.document().history.can_undo());
+    r.play("up left\nframes 2");
+    CHECK(r.document().history.can_undo());
+}
+
+TEST_CASE("designer: typed text is one step, and Ctrl+Z in the field is the field's") {
+    Rig r;
+    r.play("click \"Design name\"\ntext \"Brushed\"\nkey Enter\nframes 2");
+    CHECK(r.document().design.name == "Brushed");
+    r.play("key Ctrl+Z");
+    CHECK(r.document().design.name.empty());
+}
+
+TEST_CASE("designer: every edit brings new tables") {
+    Rig r;
+    r.play("wait");
+    CHECK(r.stage.designer().preview.has_picture());
+    const std::string first = r.stage.designer().tables_text;
+    CHECK(first.starts_with("Final"));
+    r.play("drag \"Width x\":0.5 \"Width x\":0.1 5\nwait");
+    CHECK(r.stage.designer().tables_text.starts_with("Final"));
+    CHECK(r.stage.designer().baker.problem().empty());
+}
+
+TEST_CASE("designer: a refused design says why, and a good one ends that") {
+    Rig r;
+    r.play("click \"Layer 1 enabled\"\nwait");
+    CHECK(!r.stage.designer().baker.problem().empty());
+    r.play("click \"Layer 1 enabled\"\nwait");
+    CHECK(r.stage.designer().baker.problem().empty());
+}
+
+TEST_CASE("designer: the mouse on the preview moves light and camera") {
+    Rig r;
+    r.play("wait\ndrag \"Preview\":0.5,0.5 \"Preview\":0.6,0.4 5");
+    const Scene lit = r.stage.designer().scene;
+    CHECK(lit.light.theta > 5);
+    CHECK(lit.light.phi == doctest::Approx(45).epsilon(0.3));
+    r.play("move \"Preview\"\ndown right\nmove \"Preview\":0.7,0.5\nup right\nwheel 3");
+    CHECK(r.stage.designer().scene.yaw != 0);
+    CHECK(r.stage.designer().scene.zoom > 1.2);
+    CHECK(!r.document().unsaved());
+}
+
+TEST_CASE("preview mouse: a mirror's highlight lies under the pointer") {
+    Scene scene;
+    const glm::ivec2 size(800, 600);
+    for (const glm::dvec2 pixel : {glm::dvec2(400, 300), {430, 280}, {300, 350}, {400, 200}}) {
+        move_light_to(scene, pixel, size);
+        const double theta = scene.light.theta / 2 * 3.14159265358979 / 180;
+        const double phi = scene.light.phi * 3.14159265358979 / 180;
+        const glm::dvec3 half(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                              std::cos(theta));
+        const auto under = sphere_point(scene, pixel, size);
+        REQUIRE(under);
+        CHECK(glm::length(half - *under) < 1e-6);
+    }
+    move_light_to(scene, {799, 1}, size);
+    CHECK(scene.light.theta <= 164);
+    CHECK(scene.light.phi == doctest::Approx(std::atan2(299, 399) * 180 / 3.14159265358979).epsilon(0.05));
+}
+
+TEST_CASE("designer: save as, overwrite question, open") {
+    const TemporaryFolder folder;
+    Rig r;
+    const std::string file = (folder.path / "mine").string();
+    r.play("drag \"Width x\":0.5 \"Width x\":0.3 5\nkey Ctrl+S\nframes 5\nkey Ctrl+A\ntext \"" + file +
+           "\"\nkey Enter\nframes 5");
+    REQUIRE(fs::exists(file + ".nacre"));
+    CHECK(load_design(file + ".nacre") == r.document().design);
+    CHECK(!r.document().unsaved());
+    CHECK(r.document().file == file + ".nacre");
+
+    const Design saved = r.document().design;
+    r.play(
+        "drag \"Width y\":0.5 \"Width y\":0.6 5\nkey Ctrl+Shift+S\nframes 5\nkey Ctrl+A\ntext "
+        "\"mine.nacre\"\nkey Enter\nframes 5");
+    CHECK(load_design(file + ".nacre") == r.document().design);  // its own file: no question
+    CHECK(load_design(file + ".nacre") != saved);
+
+    std::ofstream(folder.path / "other.nacre") << "{\"nacre\": 1}";
+    r.play(
+        "key Ctrl+Shift+S\nframes 5\nkey Ctrl+A\ntext \"other\"\nkey Enter\nframes 5\nclick "
+        "\"Cancel\"\nframes 5\nkey Escape\nframes 3");
+    CHECK(load_design(folder.path / "other.nacre") == Design{});
+    r.play(
+        "key Ctrl+Shift+S\nframes 5\nkey Ctrl+A\ntext \"other\"\nkey Enter\nframes 5\nclick "
+        "\"Overwrite\"\nframes 5");
+    CHECK(load_design(folder.path / "other.nacre") == r.document().design);
+
+    r.play("key Ctrl+O\nframes 5\ntext \"mine.nacre\"\nkey Enter\nframes 5");
+    CHECK(r.document().file == file + ".nacre");
+}
+
+TEST_CASE("designer: unsaved work is not lost without a question") {
+    Rig r;
+    r.play("drag \"Width x\":0.5 \"Width x\":0.3 5");
+    const Design edited = r.document().design;
+    r.play("key Ctrl+N\nframes 5\nclick \"Cancel\"\nframes 5");
+    CHECK(r.document().design == edited);
+    r.play("key Ctrl+Q\nframes 5\nkey Escape\nframes 5");
+    CHECK(!r.stage.designer().files.may_quit());
+    r.play("key Ctrl+N\nframes 5\nclick \"Discard\"\nframes 5");
+    CHECK(r.document().design == starter_design());
+    r.play("key Ctrl+Q\nframes 5");
+    CHECK(r.stage.designer().files.may_quit());
+}
+
+TEST_CASE("designer: a file that cannot be read is told, and the work stays") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "broken.nacre") << "{\"nacre\": 1,";
+    Rig r;
+    const Design before = r.document().design;
+    r.play("key Ctrl+O\nframes 5\ntext \"" + (folder.path / "broken.nacre").string() +
+           "\"\nkey Enter\nframes 5");
+    CHECK(r.stage.designer().files.talking());
+    r.play("key Enter\nframes 5");
+    CHECK(!r.stage.designer().files.talking());
+    CHECK(r.document().design == before);
+}
+
+TEST_CASE("stage: an unknown widget is an error at its line") {
+    Rig r;
+    CHECK_THROWS_WITH_AS(r.play("wait\nclick \"No such thing\""),
+                         "test: line 2: no widget of this name is on the screen (No such thing)", UserError);
+}
+
+TEST_CASE("stage: the picture has the window's size and is not empty") {
+    Rig r;
+    r.play("wait");
+    r.stage.frame();
+    const auto pixels = r.stage.pixels();
+    CHECK(pixels.size() == std::size_t{1280} * 800 * 4);
+    CHECK(std::any_of(pixels.begin(), pixels.end(),
+                      [](std::uint8_t byte) { return byte > 200 && byte < 255; }));
+}

@@ -1,0 +1,125 @@
+#!/bin/bash
+# window.sh FOLDER_OF_PROGRAMS PRESETS OUTPUT: the real window under Xvfb, used as by hand: a preset is
+# opened, a slider dragged, the light moved, an edit undone, the design saved, the window closed.
+# Pictures of it stay in OUTPUT.
+set -euo pipefail
+programs=$(realpath "$1") presets=$(realpath "$2") out=$3
+
+if [ -z "${NACRE_E2E_INSIDE:-}" ]; then
+    export NACRE_E2E_INSIDE=1 LIBGL_ALWAYS_SOFTWARE=1
+    exec xvfb-run --auto-servernum --server-args='-screen 0 1280x800x24' "$0" "$@"
+fi
+
+mkdir -p "$out"
+rm -f "$out"/*.png "$out"/*.txt
+work=$(mktemp -d)
+pid=''
+cleanup() {
+    if [ -n "$pid" ] && kill -0 "$pid" 2>/dev/null; then kill "$pid"; fi
+    rm -rf "$work"
+}
+trap cleanup EXIT
+fail() {
+    import -window root "$out/failed.png" || true
+    echo "window.sh: $1 (see $out)" >&2
+    exit 1
+}
+
+preset='Brushed gold'
+[ -e "$presets/brushed-gold.nacre" ] || fail "$presets has no brushed-gold.nacre"
+
+# The places are found by the designer without a window, before the real one runs.
+# place STEPS WIDGET: left, top, right and bottom after the steps.
+place() {
+    printf '%b' "$1" >"$work/steps"
+    "$programs/nacre-where" --script "$work/steps" "$2"
+}
+# at PLACE FRACTION: a point of a place as "X Y".
+at() { awk -v f="$2" '{ printf "%d %d", $1 + f * ($3 - $1), ($2 + $4) / 2 }' <<<"$1"; }
+pause() { sleep "${1:-0.3}"; }
+click() {
+    xdotool mousemove "$1" "$2"
+    pause 0.15
+    xdotool mousedown 1
+    pause 0.1
+    xdotool mouseup 1
+    pause
+}
+# drag X1 Y1 X2 Y2
+drag() {
+    xdotool mousemove "$1" "$2"
+    pause 0.15
+    xdotool mousedown 1
+    for i in 1 2 3 4 5 6 7 8 9 10; do
+        xdotool mousemove $(($1 + ($3 - $1) * i / 10)) $(($2 + ($4 - $2) * i / 10))
+        sleep 0.03
+    done
+    pause 0.1
+    xdotool mouseup 1
+    pause
+}
+picture() { import -window root "$out/$1.png"; }
+
+opened="click \"Presets\"\\nclick \"Preset $preset\"\\nclick \"Layers\"\\nwait\\n"
+presets_tab=$(place '' Presets)
+layers_tab=$(place '' Layers)
+preset_row=$(place 'click "Presets"\n' "Preset $preset")
+width=$(place "$opened" 'Width x')
+sphere=$(place "$opened" Preview)
+
+"$programs/nacre" >"$out/nacre.log" 2>&1 &
+pid=$!
+window=$(timeout 30 xdotool search --sync --onlyvisible --class nacre | head -n 1) || fail 'no window came up'
+pause 2
+xdotool windowfocus "$window" || true
+picture 1-start
+
+# shellcheck disable=SC2046  # "X Y" is two words
+{
+    click $(at "$presets_tab" 0.5)
+    click $(at "$preset_row" 0.5)
+    click $(at "$layers_tab" 0.5)
+    pause 1
+    picture 2-preset
+    drag $(at "$width" 0.5) $(at "$width" 0.85)
+    drag $(at "$sphere" 0.5) $(at "$sphere" 0.65)
+    pause 1
+    picture 3-edited
+}
+
+# Two saves: what was dragged, and what is left after undo.
+save_as() {
+    xdotool key --clearmodifiers ctrl+shift+s
+    pause 0.6
+    xdotool key --clearmodifiers ctrl+a
+    xdotool type --clearmodifiers --delay 15 "$1"
+    pause
+    picture 4-save-as
+    xdotool key Return
+    for _ in $(seq 50); do
+        [ -e "$1" ] && break
+        sleep 0.1
+    done
+    [ -e "$1" ] || fail "nothing was saved at $1"
+    pause
+}
+save_as "$work/edited.nacre"
+xdotool key --clearmodifiers ctrl+z
+pause
+save_as "$work/undone.nacre"
+picture 5-undone
+
+"$programs/nacre-cli" info "$work/edited.nacre" >"$out/edited.txt" || fail 'the saved design is refused'
+"$programs/nacre-cli" info "$work/undone.nacre" >"$out/undone.txt" || fail 'the design saved after undo is refused'
+cmp -s "$work/edited.nacre" "$work/undone.nacre" && fail 'the drag or the undo changed nothing'
+
+xdotool key --clearmodifiers ctrl+q
+for _ in $(seq 50); do
+    kill -0 "$pid" 2>/dev/null || break
+    sleep 0.1
+done
+kill -0 "$pid" 2>/dev/null && fail 'the window did not close'
+wait "$pid" || fail "nacre ended with status $?"
+pid=''
+[ ! -s "$out/nacre.log" ] || fail "nacre complained: $(cat "$out/nacre.log")"
+echo "pictures in $out"

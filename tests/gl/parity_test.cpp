@@ -1,0 +1,147 @@
+// The GLSL as a GPU runs it against core: every variant that a preset uses, on 10,000 random pairs of directions.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/headless/offscreen_context.h"
+#include "app/preview/gl_objects.h"
+#include "app/preview/upload.h"
+#include "core/bake/bake.h"
+#include "core/bake/brdf.h"
+#include "core/design/design_file.h"
+#include "core/exchange/glsl_export.h"
+#include "core/exchange/shader_variant.h"
+#include "shaders/shader_text.h"
+#include "tests/core/designs.h"
+#include "tests/core/random_directions.h"
+
+using namespace nacre;
+using namespace nacre::test;
+
+namespace {
+
+constexpr int side = 100;  // side * side pairs
+
+std::string text(const char* name) { return std::string(shader_text(name)); }
+
+struct NamedDesign {
+    std::string name;
+    Design design;
+};
+
+std::vector<NamedDesign> designs() {
+    std::vector<NamedDesign> all;
+    for (const auto& entry : std::filesystem::directory_iterator(NACRE_SOURCE_DIR "/presets"))
+        if (entry.path().extension() == ".nacre") all.push_back({entry.path().stem().string(), load_design(entry.path())});
+    // What no preset uses: whole sphere, unclamped forms, Lambertian, no Fresnel, a tilted curve.
+    Design sphere = with_layer(design_of(GgxLobe{0.4, 0.2}, 0, 0, 30), UniformLobe{UniformDomain::sphere}, 0.3);
+    sphere.fresnel = NoFresnel{};
+    sphere.diffuse = LambertianDiffuse{};
+    sphere.shadowing.clamp = false;
+    all.push_back({"sphere", sphere});
+    Design curve = design_of(CurveLobe{}, 12, 50);
+    curve.diffuse = CoupledDiffuse{};
+    curve.shadowing = {ShadowingModel::smith_correlated, 15, false};
+    all.push_back({"tilted curve", curve});
+    return all;
+}
+
+// Pairs whose half vector lies where p is, and pairs that lie anywhere.
+std::vector<glm::vec4> random_pairs(const Tables& tables) {
+    Random random(23);
+    std::vector<glm::vec4> pairs;
+    for (int i = 0; i < side * side; ++i) {
+        const dvec3 k1 = random_direction(random);
+        dvec3 k2 = random_direction(random);
+        if (i % 2) {
+            const dvec3 h = tables.distribution->sample_visible(k1, random);
+            const dvec3 mirrored = glm::normalize(2 * glm::dot(k1, h) * h - k1);
+            if (mirrored.z > 1e-4) k2 = mirrored;
+        }
+        pairs.emplace_back(k1, 0);
+        pairs.emplace_back(k2, 0);
+    }
+    return pairs;
+}
+
+std::vector<float> run(const Program& program, const Tables& tables, const std::vector<glm::vec4>& pairs) {
+    Texture pair_texture, data;
+    pair_texture.store({2 * side, side}, GL_RGBA32F, GL_RGBA, GL_FLOAT, pairs.data(), GL_NEAREST);
+    store_data(data, tables.data);
+    Target target;
+    target.bind({side, side}, GL_RGBA32F);
+    glUseProgram(program.name());
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, pair_texture.name());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, data.name());
+    upload_surface(program, tables.shading, 0);
+    set_uniform(program, "pairs", 1);
+    FullScreen().draw();
+    return target.read();
+}
+
+// The largest relative difference, of values above 1e-6 of the largest.
+double worst_difference(const std::vector<float>& values, const Tables& tables, const std::vector<glm::vec4>& pairs) {
+    const Shading<double>& shading = tables.shading;
+    std::vector<dvec3> expected;
+    double largest = 0;
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+        const glm::dvec4 a(pairs[i]), b(pairs[i + 1]);
+        expected.push_back(shading.brdf({a.x, a.y, a.z}, {b.x, b.y, b.z}));
+        largest = std::max({largest, expected.back().x, expected.back().y, expected.back().z});
+    }
+    double worst = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double e = expected[i][static_cast<int>(c)];
+            const double difference = std::fabs(static_cast<double>(values[4 * i + c]) - e);
+            if (!(difference <= 1e9)) return 1e9;
+            worst = std::max(worst, difference / std::max(e, 1e-6 * largest));
+        }
+    return worst;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("parity");
+
+TEST_CASE("GLSL pixels agree with core within 2e-3") {
+    const auto context = make_offscreen_context({16, 16});
+    for (const NamedDesign& d : designs()) {
+        CAPTURE(d.name);
+        for (const bool albedo : {false, true}) {
+            const auto tables = bake(d.design, {.quality = Quality::draft, .albedo = albedo});
+            const Program program(text("full_screen.vert"), fragment_shader(variant_of(tables->shading), "parity.frag"));
+            const auto pairs = random_pairs(*tables);
+            CHECK(worst_difference(run(program, *tables, pairs), *tables, pairs) < 2e-3);
+        }
+    }
+}
+
+TEST_CASE("the exported GLSL function agrees with core within 2e-3") {
+    const auto context = make_offscreen_context({16, 16});
+    int compared = 0;
+    for (const NamedDesign& d : designs()) {
+        CAPTURE(d.name);
+        const auto tables = bake(d.design, {.quality = Quality::draft});
+        // llvmpipe copies a constant array for every look-up: only small ones can be run here. All of them go
+        // through glslangValidator.
+        if (tables->data.size() > 150) continue;
+        ++compared;
+        const std::string fragment = "#version 330 core\n" + glsl_export(d.design, *tables) +
+                                     "uniform sampler2D pairs;\nout vec4 value;\nvoid main() {\n"
+                                     "    ivec2 at = ivec2(gl_FragCoord.xy);\n"
+                                     "    value = vec4(nacre_brdf(texelFetch(pairs, ivec2(2 * at.x, at.y), 0).xyz,\n"
+                                     "        texelFetch(pairs, ivec2(2 * at.x + 1, at.y), 0).xyz), 1.0);\n}\n";
+        const Program program(text("full_screen.vert"), fragment);
+        const auto pairs = random_pairs(*tables);
+        CHECK(worst_difference(run(program, *tables, pairs), *tables, pairs) < 2e-3);
+    }
+    CHECK(compared >= 3);
+}
+
+TEST_SUITE_END();

@@ -1,0 +1,147 @@
+#include "ui/dialogs.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/ui/panel_rig.h"
+#include "ui/commands.h"
+#include "ui/presets_panel.h"
+
+using namespace nacre;
+
+namespace {
+
+// Two folders that exist nowhere.
+ui::Listing imagined(const std::filesystem::path& folder) {
+    if (folder == "/designs")
+        return {.directory = folder, .entries = {{"old", true}, {"satin.nacre", false}}, .problem = {}};
+    if (folder == "/designs/old") return {.directory = folder, .entries = {}, .problem = {}};
+    return {.directory = folder, .entries = {}, .problem = "No such folder"};
+}
+
+struct DialogRig {
+    explicit DialogRig(ui::FileDialog::Purpose purpose)
+        : dialog{.purpose = purpose, .listing = imagined("/designs"), .path = {}, .problem = {}} {}
+    ui::FileDialog dialog;
+    std::filesystem::path chosen;
+    ui::DialogAnswer answer = ui::DialogAnswer::none;
+    PanelRig rig{[this] {
+        if (answer == ui::DialogAnswer::none) answer = ui::file_dialog(dialog, imagined, chosen);
+    }};
+};
+
+}  // namespace
+
+TEST_CASE("file dialog: a typed name is a path in the shown folder") {
+    DialogRig r(ui::FileDialog::Purpose::save);
+    r.rig.frame(3);
+    r.rig.type("velvet.nacre");
+    r.rig.key(PanelRig::enter);
+    CHECK(r.answer == ui::DialogAnswer::accepted);
+    CHECK(r.chosen == "/designs/velvet.nacre");
+}
+
+TEST_CASE("file dialog: a typed absolute path wins, a typed folder is entered") {
+    DialogRig r(ui::FileDialog::Purpose::open);
+    r.rig.frame(3);
+    r.rig.type("old");
+    r.rig.key(PanelRig::enter);
+    CHECK(r.answer == ui::DialogAnswer::none);
+    CHECK(r.dialog.listing.directory == "/designs/old");
+    r.rig.frame(3);
+    r.rig.type("/elsewhere/a.nacre");
+    r.rig.key(PanelRig::enter);
+    CHECK(r.chosen == "/elsewhere/a.nacre");
+}
+
+TEST_CASE("file dialog: click and Open, double click, Cancel, Escape") {
+    SUBCASE("click and Open") {
+        DialogRig r(ui::FileDialog::Purpose::open);
+        r.rig.click("satin.nacre");
+        CHECK(r.answer == ui::DialogAnswer::none);
+        r.rig.click("Accept");
+        CHECK(r.chosen == "/designs/satin.nacre");
+    }
+    SUBCASE("double click") {
+        DialogRig r(ui::FileDialog::Purpose::open);
+        r.rig.double_click("satin.nacre");
+        CHECK(r.answer == ui::DialogAnswer::accepted);
+        CHECK(r.chosen == "/designs/satin.nacre");
+    }
+    SUBCASE("double click on a folder enters it") {
+        DialogRig r(ui::FileDialog::Purpose::open);
+        r.rig.double_click("old/");
+        CHECK(r.answer == ui::DialogAnswer::none);
+        CHECK(r.dialog.listing.directory == "/designs/old");
+        r.rig.click("Parent folder");
+        CHECK(r.dialog.listing.directory == "/designs");
+    }
+    SUBCASE("Cancel") {
+        DialogRig r(ui::FileDialog::Purpose::open);
+        r.rig.click("Cancel");
+        CHECK(r.answer == ui::DialogAnswer::cancelled);
+    }
+    SUBCASE("Escape") {
+        DialogRig r(ui::FileDialog::Purpose::open);
+        r.rig.frame(3);
+        r.rig.key(PanelRig::escape);
+        CHECK(r.answer == ui::DialogAnswer::cancelled);
+    }
+}
+
+TEST_CASE("question: buttons, Enter and Escape") {
+    std::optional<int> answer;
+    PanelRig rig([&] {
+        if (!answer) answer = ui::question("Really?", "Think.", {"Save", "Discard", "Cancel"});
+    });
+    SUBCASE("button") {
+        rig.click("Discard");
+        CHECK(answer == 1);
+    }
+    SUBCASE("Enter") {
+        rig.key(PanelRig::enter);
+        CHECK(answer == 0);
+    }
+    SUBCASE("Escape") {
+        rig.key(PanelRig::escape);
+        CHECK(answer == 2);
+    }
+}
+
+TEST_CASE("shortcuts: each one, and none while text is typed") {
+    std::vector<ui::Command> pressed;
+    std::string text;
+    PanelRig rig([&] {
+        if (const auto command = ui::pressed_shortcut()) pressed.push_back(*command);
+        ImGui::SetNextItemWidth(100);
+        char buffer[8] = "";
+        ImGui::InputText("##field", buffer, sizeof(buffer));
+        ui::note_item("Field");
+    });
+    rig.key('S', true);
+    rig.key('S', true, true);
+    rig.key('Z', true);
+    rig.key('Z', true, true);
+    rig.key('Y', true);
+    rig.key('N', true);
+    rig.key('O', true);
+    rig.key('Q', true);
+    rig.key('S');
+    using enum ui::Command;
+    CHECK(pressed == std::vector{save, save_as, undo, redo, redo, new_design, open, quit});
+    pressed.clear();
+    rig.click("Field");
+    rig.key('Z', true);
+    CHECK(pressed.empty());
+}
+
+TEST_CASE("presets: a click returns the index") {
+    const std::vector<std::string> names = {"Gold", "Satin", "Velvet"};
+    std::optional<std::size_t> clicked;
+    PanelRig rig([&] {
+        if (const auto now = ui::presets_panel(names, std::nullopt)) clicked = now;
+    });
+    rig.click("Preset Satin");
+    CHECK(clicked == 1);
+}

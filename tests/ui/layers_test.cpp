@@ -1,0 +1,156 @@
+#include "ui/layers_panel.h"
+
+#include <cmath>
+
+#include "tests/ui/panel_rig.h"
+#include "ui/lobe_kinds.h"
+#include "ui/widgets.h"
+
+using namespace nacre;
+
+namespace {
+
+struct LayersRig {
+    Distribution distribution;
+    ui::LayersView view;
+    bool changed = false;
+    PanelRig rig{[this] { changed |= ui::layers_panel(view, distribution); }};
+
+    const GaussianLobe& gaussian() const { return std::get<GaussianLobe>(distribution.layers[0].lobe); }
+};
+
+}  // namespace
+
+TEST_CASE("layers: a width slider is logarithmic and reports its change") {
+    LayersRig r;
+    r.rig.frame(5);
+    CHECK(!r.changed);
+    r.rig.drag("Width x", {0.5f, 0.5f}, {0.5f, 0.5f});
+    CHECK(r.gaussian().sigma_x == doctest::Approx(0.1).epsilon(0.05));  // between 1e-3 and 10
+    r.rig.drag("Width x", {0.5f, 0.5f}, {1.5f, 0.5f});
+    CHECK(r.gaussian().sigma_x == 10);
+    CHECK(r.gaussian().sigma_y == 0.2);
+    CHECK(r.changed);
+}
+
+TEST_CASE("layers: typed numbers are kept within the limits") {
+    LayersRig r;
+    r.rig.enter_number("Width x", "250");
+    CHECK(r.gaussian().sigma_x == 250);
+    r.rig.enter_number("Width x", "1e999");
+    CHECK(r.gaussian().sigma_x == limits::width_max);
+    r.rig.enter_number("Width x", "-3");
+    CHECK(r.gaussian().sigma_x == limits::width_min);
+    r.rig.enter_number("Width x", "");
+    CHECK(std::isfinite(r.gaussian().sigma_x));
+    r.rig.enter_number("Weight", "-1");
+    CHECK(r.distribution.layers[0].weight >= 0);
+}
+
+TEST_CASE("layers: a double click brings the default back, and so does the context menu") {
+    LayersRig r;
+    r.rig.drag("Tilt", {0.1f, 0.5f}, {0.6f, 0.5f});
+    CHECK(r.distribution.layers[0].tilt > 10);
+    r.rig.double_click("Tilt", 0.6f);
+    CHECK(r.distribution.layers[0].tilt == 0);
+}
+
+TEST_CASE("layers: the infinite box makes a cylinder and back") {
+    LayersRig r;
+    r.rig.click("Width y infinite", 0.2f);
+    CHECK(std::isinf(r.gaussian().sigma_y));
+    r.rig.click("Width y infinite", 0.2f);
+    CHECK(r.gaussian().sigma_y == 0.2);
+}
+
+TEST_CASE("layers: add, duplicate, reorder, disable and delete") {
+    LayersRig r;
+    r.rig.click("Add layer");
+    r.rig.click("Add GGX");
+    REQUIRE(r.distribution.layers.size() == 2);
+    CHECK(std::holds_alternative<GgxLobe>(r.distribution.layers[1].lobe));
+    CHECK(r.view.chosen == 1);
+    r.rig.click("Layer up");
+    CHECK(std::holds_alternative<GgxLobe>(r.distribution.layers[0].lobe));
+    CHECK(r.view.chosen == 0);
+    r.rig.click("Duplicate layer");
+    REQUIRE(r.distribution.layers.size() == 3);
+    CHECK(r.distribution.layers[0] == r.distribution.layers[1]);
+    r.rig.click("Layer 3 enabled");
+    CHECK(!r.distribution.layers[2].enabled);
+    r.rig.click("Delete layer");
+    r.rig.click("Delete layer");
+    REQUIRE(r.distribution.layers.size() == 1);
+    r.rig.click("Delete layer");
+    CHECK(r.distribution.layers.size() == 1);
+}
+
+TEST_CASE("layers: a line dragged over another changes the order") {
+    LayersRig r;
+    r.rig.click("Add layer");
+    r.rig.click("Add Beckmann");
+    r.rig.drag("Layer 1", {0.5f, 0.5f}, {0.5f, 2.2f});
+    CHECK(std::holds_alternative<BeckmannLobe>(r.distribution.layers[0].lobe));
+}
+
+TEST_CASE("layers: no more than a file may hold") {
+    LayersRig r;
+    for (int i = 0; i < limits::layers_max + 3; ++i) r.rig.click("Duplicate layer");
+    CHECK(r.distribution.layers.size() == limits::layers_max);
+}
+
+TEST_CASE("lobes: another kind keeps the widths it can have") {
+    const Lobe brushed = GaussianLobe{0.1, limits::infinity};
+    const auto ggx = std::get<GgxLobe>(ui::converted_lobe(brushed, 2));
+    CHECK(ggx.alpha_x == 0.1);
+    CHECK(ggx.alpha_y == 1);
+    const auto back = std::get<GaussianLobe>(ui::converted_lobe(ggx, 0));
+    CHECK(back.sigma_x == 0.1);
+    for (std::size_t kind = 0; kind < ui::lobe_names().size(); ++kind) {
+        const Lobe lobe = ui::default_lobe(kind);
+        CHECK(lobe.index() == kind);
+        if (const auto* painted = std::get_if<PaintedLobe>(&lobe)) REQUIRE(painted->image.raster);
+        if (const auto* curve = std::get_if<CurveLobe>(&lobe))
+            for (std::size_t i = 1; i < curve->points.size(); ++i)
+                CHECK(curve->points[i - 1].first < curve->points[i].first);
+    }
+}
+
+TEST_CASE("curve: points are dragged, added and removed in order") {
+    LayersRig r;
+    r.distribution.layers[0].lobe = CurveLobe{{{0, 1}, {20, 0.5}, {45, 0}}};
+    auto& points = std::get<CurveLobe>(r.distribution.layers[0].lobe).points;
+    const auto rising = [&] {
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (!(points[i - 1].first < points[i].first)) return false;
+        return true;
+    };
+    // The middle point stands at 20 of 90 degrees and half of the plot's 1.05.
+    r.rig.drag("Curve", {0.24f, 0.515f}, {0.9f, 0.3f});
+    CHECK(points[1].first == doctest::Approx(44.99));
+    CHECK(points[1].second > 0.6);
+    CHECK(rising());
+    r.rig.double_click("Curve", 0.8f, 0.5f);
+    REQUIRE(points.size() == 4);
+    CHECK(points[3].first > 60);
+    CHECK(rising());
+    r.rig.click("Curve", 0.8f, 0.5f, 1);
+    CHECK(points.size() == 3);
+}
+
+TEST_CASE("note: a click edits it, and leaving ends that") {
+    std::string note = "Made by hand.";
+    PanelRig rig([&] {
+        ui::note_field(note);
+        ui::button("Elsewhere");
+    });
+    rig.click("Note text");
+    rig.frame(3);
+    rig.key('A', true);
+    rig.type("Two words");
+    CHECK(note == "Two words");
+    rig.click("Elsewhere");
+    rig.frame(3);
+    rig.type("x");
+    CHECK(note == "Two words");
+}

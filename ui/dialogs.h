@@ -1,0 +1,44 @@
+// Questions and file choices inside the window. The directory is read by the caller's function.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nacre::ui {
+
+struct DirectoryEntry {
+    std::string name;
+    bool is_directory = false;
+};
+
+struct Listing {
+    std::filesystem::path directory;  // absolute
+    std::vector<DirectoryEntry> entries;
+    std::string problem;  // why it could not be read, or empty
+};
+
+using ListDirectory = std::function<Listing(const std::filesystem::path&)>;
+
+// A dialog is open for as long as this value lives.
+struct FileDialog {
+    enum class Purpose { open, save };
+    Purpose purpose = Purpose::open;
+    Listing listing;
+    std::string path;     // as typed: absolute, or relative to the listing
+    std::string problem;  // shown below the field
+    bool take_focus = true;
+};
+
+enum class DialogAnswer { none, accepted, cancelled };
+
+// While accepted, `chosen` holds an absolute path. A typed folder is entered instead of accepted.
+DialogAnswer file_dialog(FileDialog& dialog, const ListDirectory& list, std::filesystem::path& chosen);
+
+// A modal question; returns the index of the pressed button. Escape presses the last one, Enter the first.
+std::optional<int> question(const char* title, const std::string& text,
+                            const std::vector<std::string>& buttons);
+
+}  // namespace nacre::ui

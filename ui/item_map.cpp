@@ -1,0 +1,34 @@
+#include "ui/item_map.h"
+
+namespace nacre::ui {
+
+ItemMap::ItemMap() { ImGui::GetIO().UserData = this; }
+
+ItemMap::~ItemMap() {
+    if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().UserData == this)
+        ImGui::GetIO().UserData = nullptr;
+}
+
+void ItemMap::note(std::string_view name, ImVec2 low, ImVec2 high) {
+    rectangles_.insert_or_assign(std::string(name), ImVec4(low.x, low.y, high.x, high.y));
+}
+
+std::optional<ImVec4> ItemMap::rectangle(std::string_view name) const {
+    const auto found = rectangles_.find(name);
+    if (found == rectangles_.end()) return std::nullopt;
+    return found->second;
+}
+
+std::string_view visible_text(std::string_view label) { return label.substr(0, label.find("##")); }
+
+std::string_view item_name(std::string_view label) {
+    const auto mark = label.find("##");
+    return mark == std::string_view::npos ? label : label.substr(mark + 2);
+}
+
+void note_item(std::string_view label) {
+    if (auto* map = static_cast<ItemMap*>(ImGui::GetIO().UserData))
+        map->note(item_name(label), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
+}  // namespace nacre::ui

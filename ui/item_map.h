@@ -1,0 +1,38 @@
+// Where each named widget stands in the current frame, so that a test, a script or a guided tour finds
+// a widget by its label and survives a change of layout.
+#pragma once
+
+#include <imgui.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace nacre::ui {
+
+class ItemMap {
+  public:
+    // Makes the current Dear ImGui context report its widgets here until the map is destroyed.
+    ItemMap();
+    ~ItemMap();
+    ItemMap(const ItemMap&) = delete;
+    ItemMap& operator=(const ItemMap&) = delete;
+
+    void clear() { rectangles_.clear(); }
+    void note(std::string_view name, ImVec2 low, ImVec2 high);
+    // Left, top, right, bottom; pixels.
+    std::optional<ImVec4> rectangle(std::string_view name) const;
+
+  private:
+    std::map<std::string, ImVec4, std::less<>> rectangles_;
+};
+
+// "Polar angle##second light angle" shows what stands before ## and is named by what stands after it.
+std::string_view visible_text(std::string_view label);
+std::string_view item_name(std::string_view label);
+
+// Reports the last drawn widget under its label, if somebody listens.
+void note_item(std::string_view label);
+
+}  // namespace nacre::ui

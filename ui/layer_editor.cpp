@@ -1,0 +1,160 @@
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/curve_editor.h"
+#include "ui/layers_panel.h"
+#include "ui/lobe_kinds.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+constexpr const char* width_along_x =
+    "Width of the lobe along x (the tangent), as a slope: 0.01 is polished, 0.1 satin, 1 rough. "
+    "Half vectors tilted by this slope are 1/e as frequent as the middle.";
+constexpr const char* width_along_y =
+    "Width along y (the bitangent). Unequal widths stretch the highlight: brushed metal, hair, cloth.";
+
+SliderSpec width_spec(const char* label, const char* tooltip) {
+    return {.label = label,
+            .low = 1e-3,
+            .high = 10,
+            .least = limits::width_min,
+            .most = limits::width_max,
+            .reset = 0.2,
+            .format = "%.4g",
+            .logarithmic = true,
+            .tooltip = tooltip};
+}
+
+SliderSpec angle_spec(const char* label, double low, double high, double most, const char* tooltip) {
+    return {.label = label,
+            .low = low,
+            .high = high,
+            .least = low < 0 ? -most : 0,
+            .most = most,
+            .reset = 0,
+            .format = "%.1f\u00b0",
+            .logarithmic = false,
+            .tooltip = tooltip};
+}
+
+// One function per lobe; std::visit calls the one that fits.
+struct LobeFields {
+    bool operator()(GaussianLobe& lobe) const {
+        const bool x = slider_or_infinity(width_spec("Width x", width_along_x), lobe.sigma_x);
+        return slider_or_infinity(width_spec("Width y", width_along_y), lobe.sigma_y) || x;
+    }
+    bool operator()(InverseGaussianLobe& lobe) const {
+        SliderSpec spec =
+            width_spec("Width",
+                       "How far the fibres lean from upright, as a slope: small widths leave only "
+                       "the rim glowing.");
+        spec.reset = InverseGaussianLobe{}.sigma;
+        return slider(spec, lobe.sigma);
+    }
+    bool operator()(GgxLobe& lobe) const { return alphas(lobe.alpha_x, lobe.alpha_y); }
+    bool operator()(BeckmannLobe& lobe) const { return alphas(lobe.alpha_x, lobe.alpha_y); }
+    bool operator()(UniformLobe& lobe) const {
+        static constexpr const char* domains[] = {"Hemisphere", "Whole sphere"};
+        int index = lobe.domain == UniformDomain::sphere ? 1 : 0;
+        const bool changed =
+            combo("Facets over", index, domains,
+                  "The upper hemisphere, or the whole sphere as for grains and fibres. A whole "
+                  "sphere alone has no mean normal, so it needs another layer beside it.");
+        if (changed) lobe.domain = index == 1 ? UniformDomain::sphere : UniformDomain::hemisphere;
+        return changed;
+    }
+    bool operator()(CurveLobe& lobe) const { return curve_editor(lobe); }
+    bool operator()(PaintedLobe& lobe) const {
+        text_row("Picture", picture_text(lobe.image));
+        return false;
+    }
+
+  private:
+    static bool alphas(double& x, double& y) {
+        const bool changed = slider(width_spec("Roughness x", width_along_x), x);
+        return slider(width_spec("Roughness y", width_along_y), y) || changed;
+    }
+};
+
+bool orientation(Layer& layer) {
+    bool changed = slider(angle_spec("Rotation", -180, 180, limits::angle_max,
+                                     "Turns the lobe about its own axis, from x toward y."),
+                          layer.rotation);
+    changed |=
+        slider(angle_spec("Tilt", 0, 90, limits::tilt_max,
+                          "Then leans the lobe's axis away from the surface normal. Slanted fibres and the "
+                          "sides of grooves are tilted lobes."),
+               layer.tilt);
+    changed |= slider(angle_spec("Azimuth", -180, 180, limits::angle_max,
+                                 "The direction toward which it leans, from x toward y."),
+                      layer.azimuth);
+    return changed;
+}
+
+bool modulation(Layer& layer) {
+    if (!layer.modulation) return false;
+    ImGui::Spacing();
+    heading("Modulated by a picture");
+    text_row("Picture", picture_text(layer.modulation->image));
+    bool changed = slider({.label = "Strength",
+                           .low = 0,
+                           .high = 1,
+                           .least = 0,
+                           .most = 1,
+                           .reset = 1,
+                           .format = "%.2f",
+                           .logarithmic = false,
+                           .tooltip = "How much of the picture multiplies the lobe: 0 none, 1 all."},
+                          layer.modulation->strength);
+    if (button("Remove picture##Remove modulation", "Leave the lobe as it is without the picture.")) {
+        layer.modulation.reset();
+        changed = true;
+    }
+    return changed;
+}
+
+}  // namespace
+
+std::string picture_text(const Picture& picture) {
+    const std::string where = picture.file.empty() ? "in the design" : picture.file.filename().string();
+    if (!picture.raster) return where;
+    return where + ", " + std::to_string(picture.raster->width) + " \u00d7 " +
+           std::to_string(picture.raster->height);
+}
+
+bool lobe_editor(Lobe& lobe) {
+    int kind = static_cast<int>(lobe.index());
+    bool changed = false;
+    if (combo("Lobe", kind, lobe_names(), lobe_explanation(lobe.index()))) {
+        lobe = converted_lobe(lobe, static_cast<std::size_t>(kind));
+        changed = true;
+    }
+    return std::visit(LobeFields{}, lobe) || changed;
+}
+
+bool layer_editor(Layer& layer) {
+    bool changed = text_field("Name##Layer name", layer.name, lobe_names()[layer.lobe.index()],
+                              "A name of your own for the list.");
+    changed |=
+        slider({.label = "Weight",
+                .low = 0,
+                .high = 1,
+                .least = 0,
+                .most = limits::weight_max,
+                .reset = 1,
+                .format = "%.3g",
+                .logarithmic = false,
+                .tooltip = "This layer's share of the facets' area, relative to the other layers' weights. "
+                           "Ctrl+click to type any number."},
+               layer.weight);
+    changed |= lobe_editor(layer.lobe);
+    ImGui::Spacing();
+    changed |= orientation(layer);
+    changed |= modulation(layer);
+    return changed;
+}
+
+}  // namespace nacre::ui

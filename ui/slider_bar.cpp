@@ -1,0 +1,64 @@
+// A slider drawn as a bar that is filled from its origin, so that the number stays readable.
+#include "ui/slider_bar.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/theme.h"
+
+namespace nacre::ui {
+namespace {
+
+// Where the value lies between the ends, 0 to 1.
+float fraction(const SliderSpec& spec, double value) {
+    const double clamped = std::clamp(value, spec.low, spec.high);
+    const double share = spec.logarithmic ? std::log(clamped / spec.low) / std::log(spec.high / spec.low)
+                                          : (clamped - spec.low) / (spec.high - spec.low);
+    return static_cast<float>(share);
+}
+
+}  // namespace
+
+void slider_bar(const SliderSpec& spec, double& value) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcItemWidth();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + width, low.y + ImGui::GetFrameHeight());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsMouseHoveringRect(low, high) && ImGui::IsWindowHovered();
+    list.AddRectFilled(low, high, ImGui::GetColorU32(hovered ? palette::field_hovered : palette::field),
+                       style.FrameRounding);
+
+    // As far from the ends as Dear ImGui keeps the middle of its grab.
+    const float margin = 2 + style.GrabMinSize * 0.5f;
+    const auto x_of = [&](double at) { return low.x + margin + fraction(spec, at) * (width - 2 * margin); };
+    const float x = x_of(value);
+    const float origin = spec.low < 0 ? x_of(0) : low.x;
+    list.AddRectFilled({std::min(origin, x), low.y}, {std::max(origin, x), high.y},
+                       ImGui::GetColorU32(palette::accent_dim), style.FrameRounding);
+    const float half = std::max(1.0f, std::round(ImGui::GetFontSize() / 15)) * 1.0f;
+    list.AddRectFilled({x - half, low.y + 2}, {x + half, high.y - 2},
+                       ImGui::GetColorU32(hovered ? palette::accent_bright : palette::accent), half);
+
+    for (const ImGuiCol colour : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                                  ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+        ImGui::PushStyleColor(colour, ImVec4(0, 0, 0, 0));
+    // Dear ImGui centres the number, where the bar's end so often lies; ours stands at the right.
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value"));
+    if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+    const ImGuiSliderFlags flags = spec.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &spec.low, &spec.high, spec.format, flags);
+    ImGui::PopStyleColor(typing ? 5 : 6);
+    if (typing) return;
+    char text[64];
+    std::snprintf(text, sizeof(text), spec.format, value);
+    list.AddText(
+        {high.x - style.FramePadding.x - margin - ImGui::CalcTextSize(text).x, low.y + style.FramePadding.y},
+        ImGui::GetColorU32(ImGuiCol_Text), text);
+}
+
+}  // namespace nacre::ui

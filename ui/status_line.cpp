@@ -1,0 +1,54 @@
+#include "ui/status_line.h"
+
+#include <imgui.h>
+
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+// A dot that tells whether the picture is final without anything moving.
+void dot(const Colour& colour) {
+    const float size = ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + size * 0.3f, corner.y + size * 0.54f},
+                                                size * 0.24f, ImGui::GetColorU32(colour));
+    ImGui::Dummy(ImVec2(size * 0.6f, size));
+    ImGui::SameLine();
+}
+
+void right_aligned(const std::string& text) {
+    const float left =
+        ImGui::GetWindowWidth() - ImGui::CalcTextSize(text.c_str()).x - ImGui::GetStyle().WindowPadding.x;
+    ImGui::SameLine(left);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+}  // namespace
+
+float status_height() { return ImGui::GetFontSize() * 1.9f; }
+
+void status_line(const Status& status) {
+    const bool refused = !status.problem.empty();
+    dot(refused ? palette::red : status.working ? palette::amber : palette::accent);
+    if (refused) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::red);
+        ImGui::TextUnformatted(status.problem.c_str());
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) tooltip(status.problem.c_str());
+        return;
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
+    ImGui::TextUnformatted(status.tables.empty() ? "baking\u2026" : status.tables.c_str());
+    tooltip_for_item(
+        "What was baked for this picture: draft or final; nodes of each table along the angle from the "
+        "normal and "
+        "around it; the symmetry that was used; memory; time; and the worst relative error of the projected "
+        "area g, "
+        "measured between the nodes.");
+    right_aligned(status.message);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace nacre::ui

@@ -1,0 +1,18 @@
+// One line below the picture: what was baked and how well, or what is wrong.
+#pragma once
+
+#include <string>
+
+namespace nacre::ui {
+
+struct Status {
+    std::string tables;   // what the shown tables are
+    std::string message;  // the last thing that happened, for instance "Saved satin.nacre"
+    std::string problem;  // in plain words; stands before everything else
+    bool working = false;
+};
+
+float status_height();
+void status_line(const Status& status);
+
+}  // namespace nacre::ui

@@ -1,0 +1,39 @@
+// How the designer looks: colours, spacing and fonts.
+#pragma once
+
+#include <imgui.h>
+
+namespace nacre::ui {
+
+// Dear ImGui's own vector has no constexpr constructor.
+struct Colour {
+    float r, g, b, a;
+    operator ImVec4() const { return {r, g, b, a}; }
+};
+
+namespace palette {
+inline constexpr Colour text{0.86f, 0.87f, 0.89f, 1};
+inline constexpr Colour text_dim{0.56f, 0.58f, 0.62f, 1};
+inline constexpr Colour window{0.125f, 0.130f, 0.142f, 1};
+inline constexpr Colour canvas{0.090f, 0.094f, 0.103f, 1};
+inline constexpr Colour field{0.185f, 0.192f, 0.210f, 1};
+inline constexpr Colour field_hovered{0.225f, 0.233f, 0.255f, 1};
+inline constexpr Colour line{0.215f, 0.222f, 0.240f, 1};
+inline constexpr Colour accent{0.46f, 0.72f, 0.70f, 1};
+inline constexpr Colour accent_bright{0.58f, 0.83f, 0.80f, 1};
+inline constexpr Colour accent_dim{0.235f, 0.345f, 0.345f, 1};
+inline constexpr Colour amber{0.93f, 0.73f, 0.42f, 1};
+inline constexpr Colour red{0.94f, 0.50f, 0.46f, 1};
+}  // namespace palette
+
+// Sets style and fonts of the current context for a scale of 1 at 96 dots per inch. To be called
+// before the renderer uploads the font texture.
+void apply_theme(float scale);
+
+// The heavier face for headings.
+ImFont* heading_font();
+
+// Breadth of a side panel for the current scale, pixels.
+float panel_width();
+
+}  // namespace nacre::ui

@@ -1,0 +1,219 @@
+#include "ui/widgets.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/item_map.h"
+#include "ui/slider_bar.h"
+#include "ui/theme.h"
+
+namespace nacre::ui {
+namespace {
+
+constexpr float label_ems = 8.4f;       // breadth of the label column in text sizes
+constexpr float tooltip_ems = 25;       // breadth of a tooltip's text
+constexpr float tooltip_delay = 0.45f;  // seconds of rest before a field explains itself
+
+std::string hidden(const char* label) { return "##" + std::string(item_name(label)); }
+
+// Double click or context menu: back to the default.
+bool reset_requested(const char* menu_text) {
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        ImGui::ClearActiveID();  // else the held button goes on setting the value
+        return true;
+    }
+    bool reset = false;
+    if (ImGui::BeginPopupContextItem("reset")) {
+        reset = ImGui::Selectable(menu_text);
+        ImGui::EndPopup();
+    }
+    return reset;
+}
+
+std::string reset_text(double reset, const char* format) {
+    char text[64];
+    ImFormatString(text, sizeof(text), format, reset);
+    return "Reset to " + std::string(text);
+}
+
+// A number field inside a row; `value` stays within what may be typed.
+bool number(const SliderSpec& spec, const std::string& name, double& value) {
+    const double before = value;
+    ImGui::PushID(name.c_str());
+    slider_bar(spec, value);
+    note_item(name);
+    tooltip_for_item(spec.tooltip);
+    if (reset_requested(reset_text(spec.reset, spec.format).c_str())) value = spec.reset;
+    ImGui::PopID();
+    value = std::isnan(value) ? before : std::clamp(value, spec.least, spec.most);
+    return value != before;
+}
+
+}  // namespace
+
+void tooltip(const char* text) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 8));
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tooltip_ems);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+void tooltip_for_item(const char* text) {
+    if (text == nullptr || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.HoveredIdTimer > tooltip_delay && !ImGui::IsAnyMouseDown()) tooltip(text);
+}
+
+bool row_label(const char* label, const char* tooltip_text) {
+    const std::string text(visible_text(label));
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    const bool hovered = ImGui::IsItemHovered();
+    if (tooltip_text != nullptr && hovered) tooltip(tooltip_text);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + label_ems * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    return hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+}
+
+bool slider(const SliderSpec& spec, double& value) {
+    const double before = value;
+    if (row_label(spec.label, spec.tooltip)) value = spec.reset;
+    number(spec, std::string(item_name(spec.label)), value);
+    return value != before;
+}
+
+bool slider(const SliderSpec& spec, glm::dvec3& rgb) {
+    static constexpr const char* channels[] = {"red", "green", "blue"};
+    const glm::dvec3 before = rgb;
+    if (row_label(spec.label, spec.tooltip)) rgb = glm::dvec3(spec.reset);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) ImGui::SameLine(0, gap);
+        ImGui::SetNextItemWidth(width);
+        number(spec, std::string(item_name(spec.label)) + " " + channels[i], rgb[i]);
+    }
+    return rgb != before;
+}
+
+bool slider_or_infinity(const SliderSpec& spec, double& value) {
+    row_label(spec.label, spec.tooltip);
+    const float box =
+        ImGui::GetFrameHeight() + ImGui::CalcTextSize("\u221e").x + 2 * ImGui::GetStyle().ItemInnerSpacing.x;
+    bool infinite = std::isinf(value);
+    bool changed = false;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - box);
+    if (infinite) {
+        char text[] = "infinite";
+        ImGui::BeginDisabled();
+        ImGui::InputText(hidden(spec.label).c_str(), text, sizeof(text), ImGuiInputTextFlags_ReadOnly);
+        ImGui::EndDisabled();
+        note_item(spec.label);
+    } else {
+        changed = number(spec, std::string(item_name(spec.label)), value);
+    }
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::PushID(spec.label);
+    if (ImGui::Checkbox("\u221e", &infinite)) {
+        value = infinite ? HUGE_VAL : spec.reset;
+        changed = true;
+    }
+    ImGui::PopID();
+    note_item(std::string(item_name(spec.label)) + " infinite");
+    tooltip_for_item("Infinite: the lobe becomes a cylinder along this axis, as threads or grooves make it.");
+    return changed;
+}
+
+bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip_text) {
+    row_label(label, tooltip_text);
+    const int before = index;
+    ImGui::Combo(hidden(label).c_str(), &index, names.data(), static_cast<int>(names.size()));
+    note_item(label);
+    tooltip_for_item(tooltip_text);
+    return index != before;
+}
+
+bool checkbox(const char* label, bool& value, const char* tooltip_text) {
+    row_label(label, tooltip_text);
+    const bool changed = ImGui::Checkbox(hidden(label).c_str(), &value);
+    note_item(label);
+    tooltip_for_item(tooltip_text);
+    return changed;
+}
+
+bool text_field(const char* label, std::string& text, const char* hint, const char* tooltip_text) {
+    row_label(label, tooltip_text);
+    const bool changed = ImGui::InputTextWithHint(hidden(label).c_str(), hint, &text);
+    note_item(label);
+    tooltip_for_item(tooltip_text);
+    return changed;
+}
+
+bool button(const char* label, const char* tooltip_text, bool enabled, float width) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, ImVec2(width, 0));
+    ImGui::EndDisabled();
+    note_item(label);
+    tooltip_for_item(tooltip_text);
+    return pressed;
+}
+
+void heading(const char* text) {
+    ImGui::PushFont(heading_font());
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::Dummy(ImVec2(0, ImGui::GetStyle().ItemSpacing.y * 0.15f));
+}
+
+bool section(const char* label) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID key = ImGui::GetID(label);
+    bool open = storage.GetBool(key, true);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    ImGui::PushID(label);
+    if (ImGui::InvisibleButton("fold", ImVec2(ImGui::GetContentRegionAvail().x, height))) {
+        open = !open;
+        storage.SetBool(key, open);
+    }
+    ImGui::PopID();
+    note_item(label);
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec4 back(1, 1, 1, ImGui::IsItemHovered() ? 0.07f : 0.04f);
+    list.AddRectFilled(low, high, ImGui::GetColorU32(back), ImGui::GetStyle().FrameRounding);
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const float size = ImGui::GetFontSize();
+    list.AddText(heading_font(), size, {low.x + padding.x, low.y + padding.y},
+                 ImGui::GetColorU32(palette::text), label);
+    const char* sign = open ? "\u2212" : "+";
+    list.AddText({high.x - padding.x - ImGui::CalcTextSize(sign).x, low.y + padding.y},
+                 ImGui::GetColorU32(palette::text_dim), sign);
+    ImGui::Spacing();
+    return open;
+}
+
+void text_row(const char* label, const std::string& text) {
+    row_label(label, nullptr);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextWrapped("%s", text.c_str());
+}
+
+void dim_text(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+}
+
+}  // namespace nacre::ui

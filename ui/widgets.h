@@ -1,0 +1,51 @@
+// The few widgets that every panel is made of. A row is a label in the left column and a field in the
+// right one; labels are unique within a panel ("text##name" tells two equal texts apart).
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace nacre::ui {
+
+struct SliderSpec {
+    const char* label;
+    double low;  // ends of the slider ...
+    double high;
+    double least;  // ... and what may be typed
+    double most;
+    double reset;  // by double click or context menu
+    const char* format = "%.3f";
+    bool logarithmic = false;
+    const char* tooltip = nullptr;
+};
+
+// Each returns whether the value changed.
+bool slider(const SliderSpec& spec, double& value);
+bool slider(const SliderSpec& spec, glm::dvec3& rgb);
+// A slider with a box behind it for an infinite value; unticking brings `spec.reset`.
+bool slider_or_infinity(const SliderSpec& spec, double& value);
+bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char* tooltip = nullptr);
+bool checkbox(const char* label, bool& value, const char* tooltip = nullptr);
+bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip = nullptr);
+bool text_field(const char* label, std::string& text, const char* hint = "", const char* tooltip = nullptr);
+
+// Free text of several lines over the whole breadth: wrapped to read, a click edits it.
+bool note_field(std::string& text);
+
+bool button(const char* label, const char* tooltip = nullptr, bool enabled = true, float width = 0);
+void heading(const char* text);
+// A foldable part of a panel, open at first.
+bool section(const char* label);
+void text_row(const char* label, const std::string& text);
+void dim_text(const std::string& text);
+
+// Draws the label column and leaves the cursor and the item width at the field. Returns whether a double
+// click on the label asks for the default.
+bool row_label(const char* label, const char* tooltip);
+// Explains the last item while the pointer rests on it.
+void tooltip_for_item(const char* text);
+void tooltip(const char* text);
+
+}  // namespace nacre::ui
