@@ -35,7 +35,8 @@ class Texture {
     GLuint name() const { return name_; }
 
     // Storage without mipmaps, sampled at texels or linearly.
-    void store(glm::ivec2 size, GLint internal_format, GLenum format, GLenum type, const void* texels, GLint filter);
+    void store(glm::ivec2 size, GLint internal_format, GLenum format, GLenum type, const void* texels,
+               GLint filter);
 
   private:
     GLuint name_ = 0;

@@ -19,12 +19,13 @@ class Preview {
     void set(std::shared_ptr<const Tables> tables);
     bool empty() const { return !tables_; }
 
-    // The developed picture (exposure, filmic curve, sRGB) as RGBA8 in texture(), top row last as OpenGL has it.
-    // `supersample` x `supersample` samples a pixel.
+    // The developed picture (exposure, filmic curve, sRGB) as RGBA8 in texture(), top row last as OpenGL has
+    // it. `supersample` x `supersample` samples a pixel.
     void draw(const Scene& scene, glm::ivec2 size, int supersample);
     GLuint texture() const { return developed_.texture().name(); }
 
-    // The same as numbers: RGBA, bottom row first; developed to sRGB in [0, 1], or linear radiance times exposure.
+    // The same as numbers: RGBA, bottom row first; developed to sRGB in [0, 1], or linear radiance times
+    // exposure.
     std::vector<float> picture(const Scene& scene, glm::ivec2 size, int supersample, bool linear);
 
   private:

@@ -25,7 +25,8 @@ std::optional<Scene> scene_by_name(std::string_view name) {
 
 glm::dvec3 light_direction(const LightSource& light) {
     const double sine = std::sin(light.theta * radians);
-    return {sine * std::cos(light.phi * radians), sine * std::sin(light.phi * radians), std::cos(light.theta * radians)};
+    return {sine * std::cos(light.phi * radians), sine * std::sin(light.phi * radians),
+            std::cos(light.theta * radians)};
 }
 
 double pixels_per_unit(const Scene& scene, glm::ivec2 size) {

@@ -10,8 +10,8 @@
 
 namespace nacre {
 
-// Small and distant. Angles in degrees in view space (x right, y up, z toward the viewer): theta from the viewer,
-// phi from right toward up.
+// Small and distant. Angles in degrees in view space (x right, y up, z toward the viewer): theta from the
+// viewer, phi from right toward up.
 struct LightSource {
     double theta = 42;
     double phi = 125;
@@ -28,7 +28,7 @@ struct Scene {
     glm::dvec3 ambient_radiance{0.12};
     double exposure = 0;  // EV
     double yaw = 0;       // degrees, orbit about the sphere's axis
-    double pitch = 14;    // degrees, the axis leans toward the viewer
+    double pitch = 0;     // degrees, the axis leans toward the viewer
     double zoom = 1;
 
     bool operator==(const Scene&) const = default;

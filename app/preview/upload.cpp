@@ -9,13 +9,16 @@ namespace {
 
 template <class Struct>
 void upload_fields(const Program& program, const std::string& prefix, const Struct& fields) {
-    visit_fields(fields,
-                 [&](const char* name, const auto& value) { set_uniform(program, (prefix + name).c_str(), value); });
+    visit_fields(fields, [&](const char* name, const auto& value) {
+        set_uniform(program, (prefix + name).c_str(), value);
+    });
 }
 
 }  // namespace
 
-void set_uniform(const Program& program, const char* name, int value) { glUniform1i(program.uniform(name), value); }
+void set_uniform(const Program& program, const char* name, int value) {
+    glUniform1i(program.uniform(name), value);
+}
 
 void set_uniform(const Program& program, const char* name, double value) {
     glUniform1f(program.uniform(name), static_cast<float>(value));

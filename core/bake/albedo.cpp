@@ -34,7 +34,8 @@ LobeWalk::LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1)
 }
 
 dvec3 LobeWalk::along(double psi) const {
-    return placed_.frame[0] * (span_.stretch.x * std::cos(psi)) + placed_.frame[1] * (span_.stretch.y * std::sin(psi));
+    return placed_.frame[0] * (span_.stretch.x * std::cos(psi)) +
+           placed_.frame[1] * (span_.stretch.y * std::sin(psi));
 }
 
 // Facets h = s e + t a (s, t = sin and cos of chi; not normalised) send k1 above the horizon where
@@ -65,7 +66,8 @@ Facet LobeWalk::facet(double psi, double chi) const {
     return {placed_.frame * h, placed_.scale * placed_.lobe->density(h) * solid_angle};
 }
 
-AlbedoRule::AlbedoRule(const FacetDistribution& distribution, bool fine) : distribution_(distribution), fine_(fine) {
+AlbedoRule::AlbedoRule(const FacetDistribution& distribution, bool fine)
+    : distribution_(distribution), fine_(fine) {
     for (const PlacedLobe& placed : distribution.lobes()) {
         std::vector<Facet> facets = placed.lobe->facets(fine ? 4096 : 256);
         for (Facet& facet : facets) facet = {placed.frame * facet.h, placed.scale * facet.mass};

@@ -39,8 +39,8 @@ class FacetAlbedo {
     int channels;
 };
 
-// Where a lobe's facets send light from k1 up: on each great circle through the lobe's axis, at azimuth psi in
-// the stretched hemisphere, one interval of angles chi from the axis.
+// Where a lobe's facets send light from k1 up: on each great circle through the lobe's axis, at azimuth psi
+// in the stretched hemisphere, one interval of angles chi from the axis.
 class LobeWalk {
   public:
     LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1);

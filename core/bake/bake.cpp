@@ -1,8 +1,10 @@
 #include "core/bake/bake.h"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -14,16 +16,20 @@
 namespace nacre {
 namespace {
 
-// A final bake doubles its nodes until g is this close, relative, between them, or the tables reach the limit.
+// A final bake doubles its nodes until g is this close, relative, between them, or the tables reach the
+// limit.
 constexpr double area_tolerance = 5e-4;
-constexpr int nodes_limit = 16384;
+constexpr int nodes_limit = 20000;
 
 class Bake {
   public:
     Bake(const Design& design, const BakeOptions& options, std::stop_token stop,
          const std::function<void(double)>& progress)
-        : design_(design), stop_(std::move(stop)), progress_(progress),
-          arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
+        : design_(design),
+          stop_(std::move(stop)),
+          progress_(progress),
+          arena_(options.threads > 0 ? std::min(options.threads, tbb::info::default_concurrency())
+                                     : tbb::task_arena::automatic),
           tables_(std::make_shared<Tables>()) {
         tables_->plan = plan_bake(design, {options.quality, options.albedo});
     }
@@ -35,7 +41,8 @@ class Bake {
         describe_material(design_, *tables_->distribution, tables_->shading);
         tables_->shading.kinds.albedo = tables_->plan.albedo;
         bake_area();
-        while (tables_->plan.quality == Quality::final && tables_->area_error.worst > area_tolerance && refine())
+        while (tables_->plan.quality == Quality::final && tables_->area_error.worst > area_tolerance &&
+               refine())
             bake_area();
         report(0.3);
         if (tables_->plan.albedo) bake_albedo();
@@ -63,12 +70,13 @@ class Bake {
         if (stop_.stop_requested()) throw BakeCancelled();
     }
 
+    // Doubles the nodes along the axis that errs more; false at the limit.
     bool refine() {
         BakePlan& plan = tables_->plan;
-        const int w = 2 * plan.nodes_w - 1;
-        int psi = 2 * plan.nodes_psi - 1;
-        if (plan.symmetry.symmetry == Symmetry::isotropic) psi = 1;
-        if (plan.symmetry.symmetry == Symmetry::none) psi = 2 * plan.nodes_psi;
+        const bool along_w = plan.symmetry.symmetry == Symmetry::isotropic || error_w_ >= error_psi_;
+        const int w = along_w ? 2 * plan.nodes_w - 1 : plan.nodes_w;
+        const int psi = along_w ? plan.nodes_psi
+                                : 2 * plan.nodes_psi - (plan.symmetry.symmetry == Symmetry::none ? 0 : 1);
         if (w * psi > nodes_limit) return false;
         plan.nodes_w = w;
         plan.nodes_psi = psi;
@@ -99,31 +107,39 @@ class Bake {
         measure_area(grid);
     }
 
-    // Error of g at the centres of cells, every cell of a small table and every few of a large one; relative to
-    // max(g, N c), which is what the BRDF divides by, or to g itself without clamp.
-    void measure_area(const StretchedGrid& grid) {
-        const int columns = tables_->plan.nodes_w - 1;
-        const bool round = tables_->plan.nodes_psi == 1;
-        const int rows = round ? 1 : tables_->plan.nodes_psi - 1;
-        const int stride = std::max(1, columns * rows / 512) | 1;
-        const int count = (columns * rows + stride - 1) / stride;
-        std::vector<double> errors(static_cast<std::size_t>(count));
+    // Error of g at (w, psi); relative to max(g, N c), which is what the BRDF divides by, or to g itself
+    // without clamp.
+    double area_error(const StretchedGrid& grid, double w, double row) const {
         const Shading<double>& shading = tables_->shading;
+        const dvec3 k = grid.area_direction(w, row);
+        const double exact = tables_->distribution->area(k).g;
+        const double read = shading.projected_area(k, shading.table_spot(k));
+        const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
+        const double divisor = std::fmax(exact, floor);
+        return divisor > 0 ? std::fabs(std::fmax(read, floor) - divisor) / divisor : 0;
+    }
+
+    // Between all nodes: at the middles of both kinds of edges and at the centres of cells.
+    void measure_area(const StretchedGrid& grid) {
+        const int columns = tables_->plan.nodes_w - 1, rows = std::max(1, tables_->plan.nodes_psi - 1);
+        const int count = columns * rows;
+        std::vector<dvec3> errors(static_cast<std::size_t>(count));
         for_each(count, [&](int i) {
-            const int cell = i * stride;
-            const dvec3 k = grid.area_direction((cell % columns + 0.5) / columns, round ? 0 : cell / columns + 0.5);
-            const double exact = tables_->distribution->area(k).g;
-            const double read = shading.projected_area(k, shading.table_spot(k));
-            const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
-            const double divisor = std::fmax(exact, floor);
-            errors[static_cast<std::size_t>(i)] =
-                divisor > 0 ? std::fabs(std::fmax(read, floor) - divisor) / divisor : 0;
+            const double column = i % columns, row = i / columns;
+            dvec3& error = errors[static_cast<std::size_t>(i)];
+            error.x = area_error(grid, (column + 0.5) / columns, row);
+            if (tables_->plan.nodes_psi == 1) return;
+            error.y = area_error(grid, (column + 1) / columns, row + 0.5);
+            error.z = area_error(grid, (column + 0.5) / columns, row + 0.5);
         });
         TableError& error = tables_->area_error;
         error = {};
-        for (const double e : errors) {
-            error.worst = std::fmax(error.worst, e);
-            error.root_mean_square += e * e / count;
+        error_w_ = error_psi_ = 0;
+        for (const dvec3& e : errors) {
+            error_w_ = std::fmax(error_w_, e.x);
+            error_psi_ = std::fmax(error_psi_, e.y);
+            error.worst = std::fmax(error.worst, std::fmax(e.x, std::fmax(e.y, e.z)));
+            error.root_mean_square += glm::dot(e, e) / (tables_->plan.nodes_psi == 1 ? count : 3 * count);
         }
         error.root_mean_square = std::sqrt(error.root_mean_square);
     }
@@ -145,7 +161,8 @@ class Bake {
                 for (double& value : values) value = kept > 0 ? value / kept : 0;
                 const int i = row * columns + column;
                 albedo[static_cast<std::size_t>(i)] = static_cast<float>(values[0]);
-                const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
+                const dvec3 f =
+                    channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
                 for (int c = 0; c < channels; ++c)
                     albedo[static_cast<std::size_t>(i + (c + 1) * size)] =
                         static_cast<float>(values[static_cast<std::size_t>(c + 1)] - f[c] * values[0]);
@@ -167,6 +184,7 @@ class Bake {
     const std::function<void(double)>& progress_;
     tbb::task_arena arena_;
     std::shared_ptr<Tables> tables_;
+    double error_w_ = 0, error_psi_ = 0;  // worst error of g between nodes along one axis alone
 };
 
 }  // namespace
@@ -174,7 +192,8 @@ class Bake {
 std::size_t Tables::table_floats() const {
     const std::size_t rows = static_cast<std::size_t>(plan.nodes_psi);
     const std::size_t albedos = plan.albedo ? 1 + static_cast<std::size_t>(plan.fresnel_tables) : 0;
-    const std::size_t albedo = static_cast<std::size_t>(plan.nodes_rho) * static_cast<std::size_t>(plan.nodes_v);
+    const std::size_t albedo =
+        static_cast<std::size_t>(plan.nodes_rho) * static_cast<std::size_t>(plan.nodes_v);
     return rows * (1 + static_cast<std::size_t>(plan.nodes_w)) + albedos * albedo;
 }
 

@@ -14,7 +14,7 @@ namespace nacre {
 struct BakeOptions {
     Quality quality = Quality::final;
     bool albedo = false;  // R is wanted even if no diffuse term reads it
-    int threads = 0;      // 0: as many as the machine has; the tables are the same to the bit for any number
+    int threads = 0;      // 0, or more than the machine has: as many as it has; the same bits for any number
 };
 
 struct BakeCancelled : std::runtime_error {
@@ -23,7 +23,8 @@ struct BakeCancelled : std::runtime_error {
 
 // Throws UserError (with an empty file name) when the design holds no facets that face up, and BakeCancelled
 // soon after `stop` is requested. `progress` gets rising values in [0, 1] from the calling thread.
-std::shared_ptr<const Tables> bake(const Design& design, const BakeOptions& options = {}, std::stop_token stop = {},
+std::shared_ptr<const Tables> bake(const Design& design, const BakeOptions& options = {},
+                                   std::stop_token stop = {},
                                    const std::function<void(double)>& progress = {});
 
 }  // namespace nacre

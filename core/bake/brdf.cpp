@@ -8,9 +8,12 @@ namespace nacre {
 dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction& a,
                 const Shading<double>::Direction& b, Term term) {
     switch (term) {
-        case Term::specular: return shading.specular(a, b) * shading.specular_weight();
-        case Term::diffuse: return shading.diffuse(a, b);
-        case Term::total: break;
+        case Term::specular:
+            return shading.specular(a, b) * shading.specular_weight();
+        case Term::diffuse:
+            return shading.diffuse(a, b);
+        case Term::total:
+            break;
     }
     return shading.brdf_of(a, b);
 }

@@ -24,9 +24,9 @@ class Brdf {
     // 0 where either direction is not above the horizon.
     dvec3 evaluate(dvec3 k1, dvec3 k2, Term term = Term::total) const;
 
-    // Visible normals, p(h)/(4 g(k1)) of k2 (Heitz & d'Eon 2014, for any p), mixed half and half with a cosine
-    // about n where the design has a diffuse term. Nothing is returned for a sample below the horizon, which a
-    // renderer counts as black.
+    // Visible normals, p(h)/(4 g(k1)) of k2 (Heitz & d'Eon 2014, for any p), mixed half and half with a
+    // cosine about n where the design has a diffuse term. Nothing is returned for a sample below the horizon,
+    // which a renderer counts as black.
     std::optional<BrdfSample> sample(dvec3 k1, Random& random) const;
     double pdf(dvec3 k1, dvec3 k2) const;
 

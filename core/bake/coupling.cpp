@@ -33,7 +33,8 @@ Integrals integrate_meridian(const Shading<double>& shading, double phi) {
     double begin = 0;
     for (int i = 1; i < shape.nodes_v; ++i) {
         const double v = static_cast<double>(i) / (shape.nodes_v - 1);
-        const double end = i + 1 == shape.nodes_v ? pi / 2 : std::atan2(1.0, cotangent_at_v(v, 2 * width / shape.moment.z));
+        const double end =
+            i + 1 == shape.nodes_v ? pi / 2 : std::atan2(1.0, cotangent_at_v(v, 2 * width / shape.moment.z));
         for (const QuadraturePoint& node : gauss_legendre<7>()) {
             const double theta = begin + (end - begin) * node.x;
             const double sine = std::sin(theta), cosine = std::cos(theta);
@@ -75,8 +76,9 @@ AlbedoIntegrals integrate_albedo(const Shading<double>& shading) {
         const std::vector<double> azimuths = row_azimuths(shading);
         covered = azimuths.back() - azimuths.front();
         for (std::size_t i = 0; i + 1 < azimuths.size(); ++i) {
-            const Integrals part = integrate_adaptively<4>([&](double phi) { return integrate_meridian(shading, phi); },
-                                                           azimuths[i], azimuths[i + 1], 1e-7, 12);
+            const Integrals part =
+                integrate_adaptively<4>([&](double phi) { return integrate_meridian(shading, phi); },
+                                        azimuths[i], azimuths[i + 1], 1e-7, 12);
             for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += part[j];
         }
     }

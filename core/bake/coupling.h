@@ -7,8 +7,9 @@
 namespace nacre {
 
 struct AlbedoIntegrals {
-    double mean = 0;            // (1/pi) integral of R cos dk, F = 1
-    glm::dvec3 coupling{0};     // c = 1/integral of (whole - R)+ cos dk for each colour, 1/sr; 0 where nothing is left
+    double mean = 0;  // (1/pi) integral of R cos dk, F = 1
+    glm::dvec3 coupling{
+        0};  // c = 1/integral of (whole - R)+ cos dk for each colour, 1/sr; 0 where nothing is left
 };
 
 // `shading` holds finished albedo tables; whole is 1, or f0 for the paper's metal.

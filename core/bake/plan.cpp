@@ -27,15 +27,18 @@ void choose_size(BakePlan& plan) {
             plan.nodes_psi = draft ? 17 : 33;
             plan.nodes_rho = draft ? 17 : 41;
             break;
-        case Symmetry::none: plan.nodes_psi = plan.nodes_rho = draft ? 24 : 64; break;
+        case Symmetry::none:
+            plan.nodes_psi = plan.nodes_rho = draft ? 24 : 64;
+            break;
     }
 }
 
 template <class Kind>
 bool uses(const Design& design) {
-    return std::any_of(design.distribution.layers.begin(), design.distribution.layers.end(), [](const Layer& layer) {
-        return layer.enabled && layer.weight > 0 && std::holds_alternative<Kind>(layer.lobe);
-    });
+    return std::any_of(
+        design.distribution.layers.begin(), design.distribution.layers.end(), [](const Layer& layer) {
+            return layer.enabled && layer.weight > 0 && std::holds_alternative<Kind>(layer.lobe);
+        });
 }
 
 bool uses_modulation(const Design& design) {
@@ -46,21 +49,32 @@ bool uses_modulation(const Design& design) {
 void list_omissions(const Design& design, BakePlan& plan) {
     auto leave_out = [&](const char* what, const char* why) { plan.omissions.push_back({what, why}); };
     switch (plan.symmetry.symmetry) {
-        case Symmetry::isotropic: leave_out("azimuth of every table", "p depends on theta alone"); break;
-        case Symmetry::quarter: leave_out("three quarters of every table", "p has two mirror planes"); break;
-        case Symmetry::half: leave_out("half of every table", "p has one mirror plane"); break;
-        case Symmetry::none: break;
+        case Symmetry::isotropic:
+            leave_out("azimuth of every table", "p depends on theta alone");
+            break;
+        case Symmetry::quarter:
+            leave_out("three quarters of every table", "p has two mirror planes");
+            break;
+        case Symmetry::half:
+            leave_out("half of every table", "p has one mirror plane");
+            break;
+        case Symmetry::none:
+            break;
     }
     if (!plan.albedo) leave_out("albedo tables R0 and R1", "no diffuse term or light reads R");
     if (plan.albedo && plan.fresnel_tables == 0) leave_out("Fresnel albedo table", "F = 1");
     if (plan.fresnel_tables == 1) leave_out("Fresnel albedo for each colour", "Schlick's R is linear in f0");
-    if (!uses<PaintedLobe>(design) && !uses_modulation(design)) leave_out("pictures", "no layer is painted or modulated");
+    if (!uses<PaintedLobe>(design) && !uses_modulation(design))
+        leave_out("pictures", "no layer is painted or modulated");
     const FresnelKind fresnel = kind_of(design.fresnel);
-    if (fresnel != FresnelKind::conductor) leave_out("conductor arithmetic", "the Fresnel model does not need it");
+    if (fresnel != FresnelKind::conductor)
+        leave_out("conductor arithmetic", "the Fresnel model does not need it");
     if (fresnel == FresnelKind::none) leave_out("Fresnel factor", "F = 1");
     const VisibilityKind visibility = kind_of(design.shadowing.model);
-    if (visibility != VisibilityKind::correlated) leave_out("azimuth correlation t(phi)", "shadowing is not correlated");
-    if (visibility != VisibilityKind::smith_correlated) leave_out("height correlation", "shadowing is not smith_correlated");
+    if (visibility != VisibilityKind::correlated)
+        leave_out("azimuth correlation t(phi)", "shadowing is not correlated");
+    if (visibility != VisibilityKind::smith_correlated)
+        leave_out("height correlation", "shadowing is not smith_correlated");
     if (kind_of(design.diffuse) == DiffuseKind::none) leave_out("diffuse term", "the design has none");
 }
 
@@ -74,10 +88,15 @@ BakePlan plan_bake(const Design& design, const PlanOptions& options) {
     plan.albedo = options.albedo || diffuse == DiffuseKind::coupled || diffuse == DiffuseKind::metal;
     if (plan.albedo) {
         switch (kind_of(design.fresnel)) {
-            case FresnelKind::none: break;
-            case FresnelKind::schlick: plan.fresnel_tables = 1; break;
+            case FresnelKind::none:
+                break;
+            case FresnelKind::schlick:
+                plan.fresnel_tables = 1;
+                break;
             case FresnelKind::dielectric:
-            case FresnelKind::conductor: plan.fresnel_tables = 3; break;
+            case FresnelKind::conductor:
+                plan.fresnel_tables = 3;
+                break;
         }
     }
     choose_size(plan);

@@ -19,11 +19,11 @@ struct Omission {
 struct BakePlan {
     DistributionSymmetry symmetry;
     Quality quality = Quality::final;
-    int nodes_w = 0;      // along theta, for g
-    int nodes_v = 0;      // along theta, for R
-    int nodes_psi = 0;    // along azimuth, for g
-    int nodes_rho = 0;    // along azimuth, for R
-    bool albedo = false;  // R(k) with F = 1, and with the design's Fresnel factor
+    int nodes_w = 0;         // along theta, for g
+    int nodes_v = 0;         // along theta, for R
+    int nodes_psi = 0;       // along azimuth, for g
+    int nodes_rho = 0;       // along azimuth, for R
+    bool albedo = false;     // R(k) with F = 1, and with the design's Fresnel factor
     int fresnel_tables = 0;  // 0: F = 1 alone; 1: Schlick's weight; 3: exact, a colour each
     std::vector<Omission> omissions;
 };

@@ -91,10 +91,14 @@ void StretchedGrid::fit_ellipse(const DistributionSymmetry& symmetry) {
 
 double StretchedGrid::row_angle(double row, int nodes) const {
     switch (symmetry_) {
-        case Symmetry::isotropic: break;
-        case Symmetry::quarter: return 0.5 * pi * row / (nodes - 1);
-        case Symmetry::half: return pi * row / (nodes - 1);
-        case Symmetry::none: return 2 * pi * row / nodes;
+        case Symmetry::isotropic:
+            break;
+        case Symmetry::quarter:
+            return 0.5 * pi * row / (nodes - 1);
+        case Symmetry::half:
+            return pi * row / (nodes - 1);
+        case Symmetry::none:
+            return 2 * pi * row / nodes;
     }
     return 0;
 }
@@ -108,15 +112,16 @@ dvec2 StretchedGrid::area_azimuth(double row) const {
     return turned(glm::normalize(dvec2{std::cos(psi) * stretch_.y, std::sin(psi) * stretch_.x}));
 }
 
-dvec2 StretchedGrid::albedo_azimuth(double row) const { return turned(azimuth_at_rho(row_angle(row, nodes_rho_), stretch_)); }
+dvec2 StretchedGrid::albedo_azimuth(double row) const {
+    return turned(azimuth_at_rho(row_angle(row, nodes_rho_), stretch_));
+}
 
 double StretchedGrid::ellipse(dvec2 e) const {
-    return std::hypot(stretch_.x * (axis_.x * e.x + axis_.y * e.y), stretch_.y * (axis_.x * e.y - axis_.y * e.x));
+    return std::hypot(stretch_.x * (axis_.x * e.x + axis_.y * e.y),
+                      stretch_.y * (axis_.x * e.y - axis_.y * e.x));
 }
 
-double StretchedGrid::grazing_width(dvec2 e) const {
-    return shading_.table_spot({e.x, e.y, 0}).q;
-}
+double StretchedGrid::grazing_width(dvec2 e) const { return shading_.table_spot({e.x, e.y, 0}).q; }
 
 // w = a/(y + a) with y = cot(theta), a = 2 D/Mz.
 dvec3 StretchedGrid::area_direction(double w, double row) const {

@@ -25,8 +25,8 @@ class StretchedGrid {
     // D(phi)/|L e(phi)| at each row.
     const std::vector<float>& widths() const { return data_; }
 
-    // The direction at (w, psi) of the area's table or at (v, rho) of the albedo's, w and v in [0, 1]; rows as in
-    // the tables, also between nodes.
+    // The direction at (w, psi) of the area's table or at (v, rho) of the albedo's, w and v in [0, 1]; rows
+    // as in the tables, also between nodes.
     dvec3 area_direction(double w, double row) const;
     dvec3 albedo_direction(double v, double row) const;
 
@@ -37,9 +37,9 @@ class StretchedGrid {
     double width(double phi) const;
     void fit_ellipse(const DistributionSymmetry& symmetry);
     double row_angle(double row, int nodes) const;  // psi or rho at a row
-    dvec2 area_azimuth(double row) const;  // cos and sin of phi
+    dvec2 area_azimuth(double row) const;           // cos and sin of phi
     dvec2 albedo_azimuth(double row) const;
-    dvec2 turned(dvec2 azimuth) const;  // from the axis to the surface's frame
+    dvec2 turned(dvec2 azimuth) const;          // from the axis to the surface's frame
     double ellipse(dvec2 azimuth) const;        // |L e|
     double grazing_width(dvec2 azimuth) const;  // D as the tables hold it
 
@@ -49,8 +49,8 @@ class StretchedGrid {
     dvec3 moment_;
     dvec2 axis_{1, 0};
     dvec2 stretch_{1};
-    std::vector<float> data_;    // the widths
-    Shading<double> shading_;    // reads them as the shader does
+    std::vector<float> data_;  // the widths
+    Shading<double> shading_;  // reads them as the shader does
 };
 
 }  // namespace nacre

@@ -6,9 +6,7 @@
 namespace nacre {
 namespace {
 
-bool same_angle(double a, double b, double period) {
-    return std::fabs(std::remainder(a - b, period)) < 1e-9;
-}
+bool same_angle(double a, double b, double period) { return std::fabs(std::remainder(a - b, period)) < 1e-9; }
 
 // Period of the lobe's shape under rotation about its own axis, degrees; 0 when it is round.
 double shape_period(const Lobe& lobe) {
@@ -21,8 +19,10 @@ double shape_period(const Lobe& lobe) {
 bool picture_mirrors(const Raster& r, bool across_y) {
     for (int row = 0; row < r.height; ++row)
         for (int column = 0; column < r.width; ++column) {
-            const int other = across_y ? row * r.width + (r.width - 1 - column) : (r.height - 1 - row) * r.width + column;
-            if (r.values[static_cast<std::size_t>(row * r.width + column)] != r.values[static_cast<std::size_t>(other)])
+            const int other =
+                across_y ? row * r.width + (r.width - 1 - column) : (r.height - 1 - row) * r.width + column;
+            if (r.values[static_cast<std::size_t>(row * r.width + column)] !=
+                r.values[static_cast<std::size_t>(other)])
                 return false;
         }
     return true;
@@ -55,13 +55,15 @@ bool upright(const Layer& layer) { return std::fabs(layer.tilt) < 1e-12; }
 
 // `b` is `a` seen in a mirror that stands on the azimuth `axis`.
 bool mirrored(const Layer& a, const Layer& b, double axis) {
-    if (a.weight != b.weight || a.lobe != b.lobe || a.modulation != b.modulation || a.tilt != b.tilt) return false;
+    if (a.weight != b.weight || a.lobe != b.lobe || a.modulation != b.modulation || a.tilt != b.tilt)
+        return false;
     if (!upright(a) && !same_angle(2 * axis - a.azimuth, b.azimuth, 360)) return false;
     if (is_round(a)) return true;
     const double wanted = 2 * axis - a.rotation;
     if (!holds_picture(a)) return same_angle(wanted, b.rotation, shape_period(a.lobe));
     const PictureMirrors mirrors = picture_mirrors(a);
-    return (mirrors.x && same_angle(wanted, b.rotation, 360)) || (mirrors.y && same_angle(wanted + 180, b.rotation, 360));
+    return (mirrors.x && same_angle(wanted, b.rotation, 360)) ||
+           (mirrors.y && same_angle(wanted + 180, b.rotation, 360));
 }
 
 bool has_mirror(const std::vector<Layer>& layers, double axis) {
@@ -111,10 +113,14 @@ DistributionSymmetry find_symmetry(const Distribution& distribution) {
 
 const char* name_of(Symmetry symmetry) {
     switch (symmetry) {
-        case Symmetry::isotropic: return "isotropic";
-        case Symmetry::quarter: return "quarter";
-        case Symmetry::half: return "half";
-        case Symmetry::none: return "none";
+        case Symmetry::isotropic:
+            return "isotropic";
+        case Symmetry::quarter:
+            return "quarter";
+        case Symmetry::half:
+            return "half";
+        case Symmetry::none:
+            return "none";
     }
     return "";
 }

@@ -46,13 +46,14 @@ std::string constructor(const char* name, const Struct& value, const std::string
 
 std::string constants(const Tables& tables) {
     const Shading<double>& shading = tables.shading;
-    std::string text = fmt::format("const Surface surface = {};\n",
-                                   constructor("Surface", shading.surface,
-                                               constructor("TableShape", shading.surface.tables)));
-    text += fmt::format("const int layer_count = {};\nconst Layer layers[{}] = Layer[{}](\n", shading.layer_count,
-                        shading.layer_count, shading.layer_count);
+    std::string text = fmt::format(
+        "const Surface surface = {};\n",
+        constructor("Surface", shading.surface, constructor("TableShape", shading.surface.tables)));
+    text += fmt::format("const int layer_count = {};\nconst Layer layers[{}] = Layer[{}](\n",
+                        shading.layer_count, shading.layer_count, shading.layer_count);
     for (int i = 0; i < shading.layer_count; ++i)
-        text += "    " + constructor("Layer", shading.layers[i]) + (i + 1 < shading.layer_count ? ",\n" : ");\n");
+        text +=
+            "    " + constructor("Layer", shading.layers[i]) + (i + 1 < shading.layer_count ? ",\n" : ");\n");
     text += fmt::format("\nconst float data[{}] = float[{}](", tables.data.size(), tables.data.size());
     for (std::size_t i = 0; i < tables.data.size(); ++i) {
         if (i > 0) text += ',';
@@ -62,7 +63,8 @@ std::string constants(const Tables& tables) {
     return text + ");\n\nfloat fetch(int index) {\n    return data[index];\n}\n";
 }
 
-// Every name that the text defines outside a function gets the prefix, so that it can be pasted into any shader.
+// Every name that the text defines outside a function gets the prefix, so that it can be pasted into any
+// shader.
 std::string prefixed(std::string text) {
     static const std::regex definition(
         R"((?:^|\n)(?:#define |struct |const (?:float|int|Surface|Layer) |CONSTANT (?:int|real) |)"
@@ -93,15 +95,19 @@ std::string without_comments(const std::string& text) {
 
 std::string glsl_export(const Design& design, const Tables& tables) {
     ShaderVariant variant = variant_of(tables.shading);
-    std::string body = variant_definitions(variant) + shared_parameters() + constants(tables) + shared_mathematics();
+    std::string body =
+        variant_definitions(variant) + shared_parameters() + constants(tables) + shared_mathematics();
     std::string head = fmt::format(
         "// {}: a BRDF made by Nacre (Ashikhmin, Premoze, Shirley 2000). GLSL 3.30 or later.\n"
-        "//   vec3 nacre_brdf(vec3 k1, vec3 k2)  1/sr; unit vectors away from the surface, x tangent, y bitangent,\n"
+        "//   vec3 nacre_brdf(vec3 k1, vec3 k2)  1/sr; unit vectors away from the surface, x tangent, y "
+        "bitangent,\n"
         "//                                      z normal; 0 where either is not above the horizon.\n",
         one_line(design.name, 80));
-    if (tables.plan.albedo) head += "//   vec3 nacre_albedo(vec3 k)          albedo of the whole BRDF toward k, k.z > 0.\n";
+    if (tables.plan.albedo)
+        head += "//   vec3 nacre_albedo(vec3 k)          albedo of the whole BRDF toward k, k.z > 0.\n";
     std::string text = head + prefixed(without_comments(body));
-    if (tables.plan.albedo) text += "\nvec3 nacre_albedo(vec3 k) {\n    return nacre_total_albedo(nacre_direction(k));\n}\n";
+    if (tables.plan.albedo)
+        text += "\nvec3 nacre_albedo(vec3 k) {\n    return nacre_total_albedo(nacre_direction(k));\n}\n";
     return text;
 }
 

@@ -8,8 +8,9 @@
 
 namespace nacre {
 
-// GLSL 3.30 text that defines `vec3 nacre_brdf(vec3 k1, vec3 k2)` (1/sr; local frame, z = normal) and, where R is
-// baked, `vec3 nacre_albedo(vec3 k)`. It needs no uniform and no texture: tables and pictures are constant arrays.
+// GLSL 3.30 text that defines `vec3 nacre_brdf(vec3 k1, vec3 k2)` (1/sr; local frame, z = normal) and, where
+// R is baked, `vec3 nacre_albedo(vec3 k)`. It needs no uniform and no texture: tables and pictures are
+// constant arrays.
 std::string glsl_export(const Design& design, const Tables& tables);
 
 }  // namespace nacre

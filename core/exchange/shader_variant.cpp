@@ -34,7 +34,9 @@ std::string variant_definitions(const ShaderVariant& variant) {
         "#define real float\n#define real2 vec2\n#define real3 vec3\n"
         "#define CONSTANT const\n#define PURE\n#define READS\n";
     text += fmt::format("#define MAX_LAYERS {}\n", limits::layers_max);
-    auto define = [&](std::string_view name, bool on) { text += fmt::format("#define {} {}\n", name, on ? 1 : 0); };
+    auto define = [&](std::string_view name, bool on) {
+        text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
+    };
     auto has = [&](int kind) { return variant.lobes.count(kind) > 0; };
     define("HAS_GAUSSIAN", has(Shader::LOBE_GAUSSIAN));
     define("HAS_INVERSE_GAUSSIAN", has(Shader::LOBE_INVERSE_GAUSSIAN));
@@ -59,7 +61,8 @@ std::string variant_definitions(const ShaderVariant& variant) {
     for (const char* kind : {"FRESNEL_IS_SCHLICK", "FRESNEL_IS_DIELECTRIC", "FRESNEL_IS_CONDUCTOR",
                              "VISIBILITY_IS_CORRELATED", "VISIBILITY_IS_SMITH", "READS_ALBEDO"})
         text += fmt::format("#define {} true\n", kind);
-    text += fmt::format("#define DIFFUSE_IS_LAMBERTIAN {}\n", variant.kinds.diffuse == DiffuseKind::lambertian);
+    text +=
+        fmt::format("#define DIFFUSE_IS_LAMBERTIAN {}\n", variant.kinds.diffuse == DiffuseKind::lambertian);
     text += fmt::format("#define DIFFUSE_IS_COUPLED {}\n", variant.kinds.diffuse == DiffuseKind::coupled);
     text += fmt::format("#define DIFFUSE_IS_METAL {}\n", variant.kinds.diffuse == DiffuseKind::metal);
     return text;
@@ -68,13 +71,13 @@ std::string variant_definitions(const ShaderVariant& variant) {
 std::string shared_parameters() { return text_of("shared/parameters.glsl"); }
 
 std::string shared_mathematics() {
-    return text_of("shared/fresnel.glsl") + "\n" + text_of("shared/lobes.glsl") + "\n" + text_of("shared/tables.glsl") +
-           "\n" + text_of("shared/brdf.glsl");
+    return text_of("shared/fresnel.glsl") + "\n" + text_of("shared/lobes.glsl") + "\n" +
+           text_of("shared/tables.glsl") + "\n" + text_of("shared/brdf.glsl");
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
-    return "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" + text_of("uniforms.glsl") +
-           "\n" + shared_mathematics() + "\n" + text_of(main);
+    return "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
+           text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n" + text_of(main);
 }
 
 }  // namespace nacre

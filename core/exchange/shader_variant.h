@@ -1,5 +1,5 @@
-// A shader variant as a value, turned into GLSL text by a pure function: it holds only what its design and its
-// scene need.
+// A shader variant as a value, turned into GLSL text by a pure function: it holds only what its design and
+// its scene need.
 #pragma once
 
 #include <set>

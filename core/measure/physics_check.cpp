@@ -117,7 +117,8 @@ class PhysicsCheckRun {
             : fails ? Verdict::fail
                     : Verdict::note,
             upright ? "degrees between <h> and n"
-                    : "degrees between <h> and n: p is no height field's, energy is kept only by the clamp");
+            : fails ? "degrees between <h> and n: p is no height field's, and without clamp it creates energy"
+                    : "degrees between <h> and n: p is no height field's");
     }
 
     void check_tables() {

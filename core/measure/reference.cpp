@@ -28,7 +28,8 @@ Reference::Reference(const Design& design) : distribution_(design.distribution) 
     const BakePlan plan = plan_bake(design, {Quality::final, true});
     channels_ = plan.fresnel_tables;
     round_ = plan.symmetry.symmetry == Symmetry::isotropic;
-    reads_albedo_ = shading_.kinds.diffuse == DiffuseKind::coupled || shading_.kinds.diffuse == DiffuseKind::metal;
+    reads_albedo_ =
+        shading_.kinds.diffuse == DiffuseKind::coupled || shading_.kinds.diffuse == DiffuseKind::metal;
     shading_.kinds.albedo = reads_albedo_;
     for (const PlacedLobe& placed : distribution_.lobes()) {
         std::vector<Facet> facets = placed.lobe->facets(0);
@@ -69,8 +70,9 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
         cuts.push_back(whole.end);
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
             if (cuts[i + 1] <= cuts[i]) continue;
-            const AlbedoValues part = integrate_adaptively<4>([&](double chi) { return at(walk, psi, chi); }, cuts[i],
-                                                              cuts[i + 1], 0.2 * albedo_tolerance, depth_polar);
+            const AlbedoValues part =
+                integrate_adaptively<4>([&](double chi) { return at(walk, psi, chi); }, cuts[i], cuts[i + 1],
+                                        0.2 * albedo_tolerance, depth_polar);
             for (std::size_t j = 0; j < inner.size(); ++j) inner[j] += part[j];
         }
         return inner;
@@ -84,8 +86,9 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
         for (const LobeSpan& span : placed.lobe->spans()) {
             const LobeWalk walk(placed, span, k);
             for (int half = 0; half < 2; ++half)
-                add(integrate_adaptively<4>([&](double psi) { return over_chi(walk, psi); }, walk.start() + half * pi,
-                                            walk.start() + (half + 1) * pi, albedo_tolerance, depth_azimuth),
+                add(integrate_adaptively<4>([&](double psi) { return over_chi(walk, psi); },
+                                            walk.start() + half * pi, walk.start() + (half + 1) * pi,
+                                            albedo_tolerance, depth_azimuth),
                     1);
         }
     }
@@ -102,8 +105,8 @@ Shading<double>::Direction Reference::direction(dvec3 k, std::stop_token stop) c
     return {k, projected_area(k), reads_albedo_ ? design_albedo(albedo(k, stop)) : dvec3{0}};
 }
 
-// Gauss-Legendre over theta, whose cosine weight hides the band near grazing where R turns, and the trapezoidal
-// rule over azimuth.
+// Gauss-Legendre over theta, whose cosine weight hides the band near grazing where R turns, and the
+// trapezoidal rule over azimuth.
 void Reference::prepare_coupling(std::stop_token stop) {
     if (!reads_albedo_) return;
     const auto& rule = gauss_legendre<10>();

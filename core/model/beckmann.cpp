@@ -12,7 +12,8 @@ constexpr double sqrt_pi = 1.7724538509055160273;
 // falls faster than the root finder likes, and y = x + v >= 0 is drawn by rejection instead.
 double sample_slope_from_behind(double v, Random& random) {
     for (;;) {
-        const double y = -(std::log1p(-uniform_random(random)) + std::log1p(-uniform_random(random))) / (-2 * v);
+        const double y =
+            -(std::log1p(-uniform_random(random)) + std::log1p(-uniform_random(random))) / (-2 * v);
         if (uniform_random(random) < std::exp(-y * y)) return y - v;
     }
 }

@@ -51,11 +51,11 @@ FacetDistribution::FacetDistribution(const Distribution& distribution) {
         lobes_.push_back({layer_frame(layer), layer.weight / largest / total / mass, std::move(lobe), i});
         mean_ += lobes_.back().frame * (lobes_.back().scale * lobes_.back().lobe->mean());
     }
-    if (lobes_.empty())
-        throw UserError("", "distribution.layers", "no enabled layer has a weight above 0");
+    if (lobes_.empty()) throw UserError("", "distribution.layers", "no enabled layer has a weight above 0");
     if (!(mean_.z > smallest_mean_cosine))
-        throw UserError("", "distribution",
-                        fmt::format("the facets must face up on the whole, N = <n.h> > 0 (found {:.3g})", mean_.z));
+        throw UserError(
+            "", "distribution",
+            fmt::format("the facets must face up on the whole, N = <n.h> > 0 (found {:.3g})", mean_.z));
 }
 
 double FacetDistribution::density(dvec3 h) const {

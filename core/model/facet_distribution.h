@@ -24,7 +24,7 @@ class FacetDistribution {
 
     double density(dvec3 h) const;  // per steradian
     Area area(dvec3 k) const;
-    dvec3 mean() const { return mean_; }  // H = <h>
+    dvec3 mean() const { return mean_; }            // H = <h>
     double mean_cosine() const { return mean_.z; }  // N = <n.h>, without mean_cosine_scale
 
     // A facet as k sees it, density (h.k)+ p(h)/g(k); g(k) > 0.

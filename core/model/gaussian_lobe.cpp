@@ -15,7 +15,8 @@ namespace {
 //
 //     (1 + r^2)^-2 = integral over t > 0 of t exp(-t (1 + r^2)) dt,
 //
-// so that eq. 34 is a mixture, over t, of Beckmann distributions with 1/ax^2 = 1/sx^2 + t, 1/ay^2 = 1/sy^2 + t:
+// so that eq. 34 is a mixture, over t, of Beckmann distributions with 1/ax^2 = 1/sx^2 + t, 1/ay^2 = 1/sy^2 +
+// t:
 //
 //   +-------------------------------------------------------------+
 //   |  g(k) = integral of t exp(-t) pi ax ay g_Beckmann(k; ax, ay) |
@@ -33,7 +34,8 @@ struct Component {
 
 constexpr double step = 0.3;
 constexpr double first = -58, last = 4.4;
-constexpr double negligible = 1e-14;  // of the sum of weight (1 + alpha), a bound of what a component adds to g
+constexpr double negligible =
+    1e-14;  // of the sum of weight (1 + alpha), a bound of what a component adds to g
 
 class Gaussian final : public LobeModel {
   public:
@@ -77,9 +79,11 @@ class Gaussian final : public LobeModel {
     dvec3 sample_visible(dvec3 k, Random& random) const override {
         std::vector<double> rising;
         double sum = 0;
-        for (const Component& c : components_) rising.push_back(sum += c.weight * beckmann_area(k, c.alpha).g);
+        for (const Component& c : components_)
+            rising.push_back(sum += c.weight * beckmann_area(k, c.alpha).g);
         const auto chosen = std::upper_bound(rising.begin(), rising.end() - 1, uniform_random(random) * sum);
-        return beckmann_sample_visible(k, components_[static_cast<std::size_t>(chosen - rising.begin())].alpha, random);
+        return beckmann_sample_visible(
+            k, components_[static_cast<std::size_t>(chosen - rising.begin())].alpha, random);
     }
 
   private:

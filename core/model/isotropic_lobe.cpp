@@ -74,7 +74,8 @@ class Isotropic : public LobeModel {
         for (std::size_t i = 0; i < rings_.size(); ++i) {
             const ThinRing& r = rings_[i];
             const double seen = std::fmax(mean_seen(r.theta0, k_sine, k.z), mean_seen(r.theta1, k_sine, k.z));
-            total += bound[i] = r.peak * (r.theta1 - r.theta0) * std::fmin(seen + 0.5 * (r.theta1 - r.theta0), 1.0);
+            total += bound[i] =
+                r.peak * (r.theta1 - r.theta0) * std::fmin(seen + 0.5 * (r.theta1 - r.theta0), 1.0);
         }
         for (;;) {
             double left = uniform_random(random) * total;
@@ -104,7 +105,8 @@ class Isotropic : public LobeModel {
         constexpr int thin = 128;
         const double a = pieces_.front(), b = pieces_.back();
         for (int i = 0; i < thin; ++i) {
-            const double theta0 = theta_of(a + (b - a) * i / thin), theta1 = theta_of(a + (b - a) * (i + 1) / thin);
+            const double theta0 = theta_of(a + (b - a) * i / thin),
+                         theta1 = theta_of(a + (b - a) * (i + 1) / thin);
             const double peak = peak_over(theta0, theta1);
             if (peak > 0) rings_.push_back({theta0, theta1, peak});
         }
@@ -147,7 +149,8 @@ class Isotropic : public LobeModel {
             for_each_node(cuts[i], cuts[i + 1], many, [&](double chi, double weight) {
                 const double s = stretch_ * std::sin(chi), c = std::cos(chi);
                 const double theta = std::atan2(s, c);
-                const double weighted = profile(theta) * std::sin(theta) * stretch_ / (s * s + c * c) * weight;
+                const double weighted =
+                    profile(theta) * std::sin(theta) * stretch_ / (s * s + c * c) * weight;
                 if (weighted > 0) visit(theta, weighted);
             });
         }
@@ -160,19 +163,23 @@ class InverseGaussian final : public Isotropic {
   public:
     explicit InverseGaussian(const InverseGaussianLobe& lobe) : inverse_width_(1 / lobe.sigma) {
         // Facets crowd at cot(theta) < sigma: the stretch that makes that width one.
-        // The exponential is cot^2(chi)/(1 + sigma^2): parted about where it rises from nothing, which one Gauss
-        // rule over all of it would resolve badly.
+        // The exponential is cot^2(chi)/(1 + sigma^2): parted about where it rises from nothing, which one
+        // Gauss rule over all of it would resolve badly.
         const double rise = std::atan(1 / std::hypot(1, lobe.sigma));
         set_pieces(std::hypot(1, inverse_width_), {0, 0.5 * rise, rise, 0.5 * (rise + pi / 2), pi / 2});
     }
 
-    double density(dvec3 h) const override { return Shading<double>::inverse_gaussian_density(h, inverse_width_); }
+    double density(dvec3 h) const override {
+        return Shading<double>::inverse_gaussian_density(h, inverse_width_);
+    }
     dvec3 mean() const override { return {0, 0, area({0, 0, 1}).g}; }
     std::vector<LobeSpan> spans() const override { return {{dvec2{stretch_}, 1, {}}}; }
 
   protected:
     double profile(double theta) const override { return density({std::sin(theta), 0, std::cos(theta)}); }
-    double peak_over(double, double theta1) const override { return profile(std::fmin(theta1, pi / 2 - 1e-15)); }
+    double peak_over(double, double theta1) const override {
+        return profile(std::fmin(theta1, pi / 2 - 1e-15));
+    }
 
   private:
     double inverse_width_;
@@ -215,7 +222,8 @@ class Curve final : public Isotropic {
     double peak_over(double theta0, double theta1) const override {
         double peak = std::fmax(profile(theta0), profile(theta1));
         for (std::size_t i = 0; i < data_.size(); i += 2)
-            if (data_[i] >= theta0 && data_[i] <= theta1) peak = std::fmax(peak, static_cast<double>(data_[i + 1]));
+            if (data_[i] >= theta0 && data_[i] <= theta1)
+                peak = std::fmax(peak, static_cast<double>(data_[i + 1]));
         const double middle = theta0 < pi / 2 && theta1 > pi / 2 ? 1 : 0;
         return peak * std::fmax(std::fmax(std::sin(theta0), std::sin(theta1)), middle);
     }
@@ -231,6 +239,8 @@ std::shared_ptr<const LobeModel> make_inverse_gaussian_lobe(const InverseGaussia
     return std::make_shared<InverseGaussian>(lobe);
 }
 
-std::shared_ptr<const LobeModel> make_curve_lobe(const CurveLobe& lobe) { return std::make_shared<Curve>(lobe); }
+std::shared_ptr<const LobeModel> make_curve_lobe(const CurveLobe& lobe) {
+    return std::make_shared<Curve>(lobe);
+}
 
 }  // namespace nacre

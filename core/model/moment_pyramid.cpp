@@ -39,7 +39,8 @@ MomentPyramid::MomentPyramid(int side, const std::vector<Facet>& facets) : side_
         node.centre /= kept;
         for (std::size_t c = 4 * i + 1; c <= 4 * i + 4; ++c) {
             if (nodes_[c].radius < 0) continue;
-            node.radius = std::max(node.radius, glm::length(nodes_[c].centre - node.centre) + nodes_[c].radius);
+            node.radius =
+                std::max(node.radius, glm::length(nodes_[c].centre - node.centre) + nodes_[c].radius);
         }
     }
 }

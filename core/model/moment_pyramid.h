@@ -7,9 +7,9 @@
 
 namespace nacre {
 
-// A quadtree over a square grid of facets. Each cell holds m = sum of mass h over its facets and a ball around
-// their directions: a cell wholly in front of k adds k.m, one wholly behind nothing, and only the cells that
-// the great circle h.k = 0 passes are opened (MODEL.md, sec. 2). Equal to the sum over all facets.
+// A quadtree over a square grid of facets. Each cell holds m = sum of mass h over its facets and a ball
+// around their directions: a cell wholly in front of k adds k.m, one wholly behind nothing, and only the
+// cells that the great circle h.k = 0 passes are opened (MODEL.md, sec. 2). Equal to the sum over all facets.
 class MomentPyramid {
   public:
     // `facets` row by row, side x side of them, side a power of two; mass 0 where the grid holds none.

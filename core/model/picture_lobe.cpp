@@ -160,11 +160,13 @@ class Modulated final : public LobeModel {
             const double t = (i + 0.5) / side, s = std::sqrt(1 - t * t);
             for (int j = 0; j < side; ++j) {
                 const double psi = 2 * pi * (j + 0.5) / side;
-                const dvec3 stretched{span.stretch.x * s * std::cos(psi), span.stretch.y * s * std::sin(psi), t};
+                const dvec3 stretched{span.stretch.x * s * std::cos(psi), span.stretch.y * s * std::sin(psi),
+                                      t};
                 const double length = glm::length(stretched);
                 dvec3 h = stretched / length;
                 h.z *= span.flip;
-                facets[static_cast<std::size_t>(i * side + j)] = {h, density(h) * patch / (length * length * length)};
+                facets[static_cast<std::size_t>(i * side + j)] = {
+                    h, density(h) * patch / (length * length * length)};
             }
         }
         return MomentPyramid(side, facets);

@@ -55,7 +55,8 @@ class Ggx final : public LobeModel {
 
 class Beckmann final : public LobeModel {
   public:
-    explicit Beckmann(const BeckmannLobe& lobe) : alpha_(lobe.alpha_x, lobe.alpha_y), n_(pi * alpha_.x * alpha_.y) {}
+    explicit Beckmann(const BeckmannLobe& lobe)
+        : alpha_(lobe.alpha_x, lobe.alpha_y), n_(pi * alpha_.x * alpha_.y) {}
 
     double density(dvec3 h) const override { return Shading<double>::beckmann_density(h, 1.0 / alpha_); }
 
@@ -113,7 +114,8 @@ class Uniform final : public LobeModel {
 
     // A hemisphere is GGX of width 1; a sphere is seen as a cosine about k.
     dvec3 sample_visible(dvec3 k, Random& random) const override {
-        const double z = sphere_ ? 1 - 2 * uniform_random(random) : (1 - uniform_random(random)) * (1 + k.z) - k.z;
+        const double z =
+            sphere_ ? 1 - 2 * uniform_random(random) : (1 - uniform_random(random)) * (1 + k.z) - k.z;
         const double phi = 2 * pi * uniform_random(random);
         const double sine = std::sqrt(std::fmax(1 - z * z, 0.0));
         return glm::normalize(dvec3{sine * std::cos(phi), sine * std::sin(phi), z} + k);

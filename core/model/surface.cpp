@@ -13,10 +13,14 @@ struct LobeShape {
 };
 
 LobeShape shape_of(const Lobe& lobe) {
-    if (const auto* l = std::get_if<GaussianLobe>(&lobe)) return {Shader::LOBE_GAUSSIAN, {1 / l->sigma_x, 1 / l->sigma_y}};
-    if (const auto* l = std::get_if<InverseGaussianLobe>(&lobe)) return {Shader::LOBE_INVERSE_GAUSSIAN, dvec2{1 / l->sigma}};
-    if (const auto* l = std::get_if<GgxLobe>(&lobe)) return {Shader::LOBE_GGX, {1 / l->alpha_x, 1 / l->alpha_y}};
-    if (const auto* l = std::get_if<BeckmannLobe>(&lobe)) return {Shader::LOBE_BECKMANN, {1 / l->alpha_x, 1 / l->alpha_y}};
+    if (const auto* l = std::get_if<GaussianLobe>(&lobe))
+        return {Shader::LOBE_GAUSSIAN, {1 / l->sigma_x, 1 / l->sigma_y}};
+    if (const auto* l = std::get_if<InverseGaussianLobe>(&lobe))
+        return {Shader::LOBE_INVERSE_GAUSSIAN, dvec2{1 / l->sigma}};
+    if (const auto* l = std::get_if<GgxLobe>(&lobe))
+        return {Shader::LOBE_GGX, {1 / l->alpha_x, 1 / l->alpha_y}};
+    if (const auto* l = std::get_if<BeckmannLobe>(&lobe))
+        return {Shader::LOBE_BECKMANN, {1 / l->alpha_x, 1 / l->alpha_y}};
     if (const auto* l = std::get_if<UniformLobe>(&lobe))
         return {l->domain == UniformDomain::sphere ? Shader::LOBE_SPHERE : Shader::LOBE_HEMISPHERE};
     if (std::holds_alternative<CurveLobe>(lobe)) return {Shader::LOBE_CURVE};
@@ -40,8 +44,8 @@ int append_curve(std::vector<float>& data, const CurveLobe& curve) {
 
 }  // namespace
 
-void describe_layers(const Distribution& distribution, const FacetDistribution& facets, Shading<double>& shading,
-                     std::vector<float>& data) {
+void describe_layers(const Distribution& distribution, const FacetDistribution& facets,
+                     Shading<double>& shading, std::vector<float>& data) {
     shading.layer_count = 0;
     for (const PlacedLobe& placed : facets.lobes()) {
         const Layer& layer = distribution.layers[placed.layer];
@@ -102,9 +106,12 @@ FresnelKind kind_of(const Fresnel& fresnel) {
 
 VisibilityKind kind_of(ShadowingModel model) {
     switch (model) {
-        case ShadowingModel::correlated: return VisibilityKind::correlated;
-        case ShadowingModel::smith_correlated: return VisibilityKind::smith_correlated;
-        case ShadowingModel::uncorrelated: break;
+        case ShadowingModel::correlated:
+            return VisibilityKind::correlated;
+        case ShadowingModel::smith_correlated:
+            return VisibilityKind::smith_correlated;
+        case ShadowingModel::uncorrelated:
+            break;
     }
     return VisibilityKind::uncorrelated;
 }

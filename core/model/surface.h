@@ -9,8 +9,8 @@
 namespace nacre {
 
 // Layers, and the curves and pictures they read, appended to `data`.
-void describe_layers(const Distribution& distribution, const FacetDistribution& facets, Shading<double>& shading,
-                     std::vector<float>& data);
+void describe_layers(const Distribution& distribution, const FacetDistribution& facets,
+                     Shading<double>& shading, std::vector<float>& data);
 
 // Visibility, Fresnel and diffuse; coupling stays 0 until the albedo is known.
 void describe_material(const Design& design, const FacetDistribution& facets, Shading<double>& shading);

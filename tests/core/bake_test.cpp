@@ -28,7 +28,8 @@ Design satin() {
 }
 
 Design checkered() {
-    return design_of(PaintedLobe{picture_of(32, [](double x, double y) { return std::cos(9 * x) * std::cos(7 * y) > 0 ? 1.0 : 0.1; })});
+    return design_of(PaintedLobe{picture_of(
+        32, [](double x, double y) { return std::cos(9 * x) * std::cos(7 * y) > 0 ? 1.0 : 0.1; })});
 }
 
 }  // namespace
@@ -40,10 +41,14 @@ TEST_CASE("g and R of the tables agree with the reference") {
         const char* name;
         Design design;
     };
-    const Case cases[] = {{"needle", design_of(GaussianLobe{1e-3, 1e-3})}, {"wide", design_of(GaussianLobe{10, 10})},
-                          {"brushed", design_of(GaussianLobe{0.1, 1})},   {"ggx", design_of(GgxLobe{0.1, 0.1})},
-                          {"turned", design_of(GgxLobe{0.05, 0.4}, 0, 0, 33)}, {"velvet", design_of(InverseGaussianLobe{0.5})},
-                          {"satin", satin()},                             {"grooves", grooves(0.1)},
+    const Case cases[] = {{"needle", design_of(GaussianLobe{1e-3, 1e-3})},
+                          {"wide", design_of(GaussianLobe{10, 10})},
+                          {"brushed", design_of(GaussianLobe{0.1, 1})},
+                          {"ggx", design_of(GgxLobe{0.1, 0.1})},
+                          {"turned", design_of(GgxLobe{0.05, 0.4}, 0, 0, 33)},
+                          {"velvet", design_of(InverseGaussianLobe{0.5})},
+                          {"satin", satin()},
+                          {"grooves", grooves(0.1)},
                           {"checkered", checkered()}};
     for (const Case& c : cases) {
         CAPTURE(c.name);
@@ -58,13 +63,15 @@ TEST_CASE("g and R of the tables agree with the reference") {
             const AlbedoValues exact = reference.albedo(k);
             CHECK(std::fabs(g / reference.projected_area(k) - 1) < 1e-3);
             CHECK(std::fabs(full - exact[0]) < 2e-3);
-            CHECK(std::fabs(shading.fresnel_albedo(spot, full, shading.schlick_weight(k.z), 0) - exact[1]) < 3e-3);
+            CHECK(std::fabs(shading.fresnel_albedo(spot, full, shading.schlick_weight(k.z), 0) - exact[1]) <
+                  3e-3);
         }
     }
 }
 
 TEST_CASE("the measured error of g is the error that other directions see") {
-    for (const Design& design : {design_of(GaussianLobe{0.1, 1}), satin(), grooves(0.01), design_of(InverseGaussianLobe{0.3})}) {
+    for (const Design& design :
+         {design_of(GaussianLobe{0.1, 1}), satin(), grooves(0.01), design_of(InverseGaussianLobe{0.3})}) {
         const auto tables = bake(design);
         const FacetDistribution& p = *tables->distribution;
         Random random(12);
@@ -109,8 +116,8 @@ TEST_CASE("symmetry is found where it is and nowhere else") {
     CHECK(symmetry(design_of(GaussianLobe{0.1, 0.2}, 20, 30)) == Symmetry::none);
     CHECK(symmetry(with_layer(grooves(0.1), GaussianLobe{0.1, 0.1}, 1, 20, 91)) == Symmetry::none);
     CHECK(symmetry(checkered()) == Symmetry::quarter);
-    CHECK(symmetry(design_of(PaintedLobe{picture_of(8, [](double x, double y) { return x > 0.5 && y > 0.3 ? 1.0 : 0.0; })})) ==
-          Symmetry::none);
+    CHECK(symmetry(design_of(PaintedLobe{picture_of(
+              8, [](double x, double y) { return x > 0.5 && y > 0.3 ? 1.0 : 0.0; })})) == Symmetry::none);
 }
 
 TEST_CASE("p scaled by 1e30 or 1e-30 is the same p") {
@@ -133,7 +140,8 @@ TEST_CASE("facets that do not face up are refused by name") {
 
 TEST_CASE("a white furnace closes on the interpolant") {
     // F = 1 and a coupled diffuse term of albedo 1: what is not reflected once comes back diffuse.
-    for (Design design : {design_of(GaussianLobe{0.1, 1}), design_of(GaussianLobe{1e-3, 0.5}), design_of(GgxLobe{0.6, 0.6})}) {
+    for (Design design : {design_of(GaussianLobe{0.1, 1}), design_of(GaussianLobe{1e-3, 0.5}),
+                          design_of(GgxLobe{0.6, 0.6})}) {
         design.fresnel = NoFresnel{};
         design.diffuse = CoupledDiffuse{glm::dvec3{1}};
         const auto tables = bake(design);

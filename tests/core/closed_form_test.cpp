@@ -50,8 +50,10 @@ TEST_CASE("eq. 34, wide: integral, mean cosine and grazing area") {
         const auto lobe = model_of(GaussianLobe{s, s});
         const double a = 1 / (s * s), e = scaled_erfc(1 / s);
         CHECK(lobe->mass() == doctest::Approx(2 * pi * (1 - std::sqrt(pi * a) * e)).epsilon(1e-10));
-        CHECK(lobe->mean().z == doctest::Approx(pi * (1 - a * std::exp(a) * boost::math::expint(1, a))).epsilon(1e-10));
-        CHECK(lobe->area({1, 0, 0}).g == doctest::Approx((1 + 2 * a) * (pi / 2) * e - std::sqrt(pi * a)).epsilon(1e-9));
+        CHECK(lobe->mean().z ==
+              doctest::Approx(pi * (1 - a * std::exp(a) * boost::math::expint(1, a))).epsilon(1e-10));
+        CHECK(lobe->area({1, 0, 0}).g ==
+              doctest::Approx((1 + 2 * a) * (pi / 2) * e - std::sqrt(pi * a)).epsilon(1e-9));
     }
 }
 
@@ -124,7 +126,8 @@ TEST_CASE("area of GGX and Beckmann facets: normalised to <n.h> = 1 they have th
 
 TEST_CASE("P of the reference and of the tables, down to c = 1e-5 and widths from 1e-3 to 10") {
     Random random(6);
-    for (const auto& [ax, ay] : {std::pair{1e-3, 1e-3}, {1e-3, 0.1}, {0.05, 0.4}, {0.3, 0.3}, {1.0, 3.0}, {10.0, 10.0}}) {
+    for (const auto& [ax, ay] :
+         {std::pair{1e-3, 1e-3}, {1e-3, 0.1}, {0.05, 0.4}, {0.3, 0.3}, {1.0, 3.0}, {10.0, 10.0}}) {
         CAPTURE(ax);
         CAPTURE(ay);
         for (const bool ggx : {true, false}) {
@@ -132,7 +135,9 @@ TEST_CASE("P of the reference and of the tables, down to c = 1e-5 and widths fro
             const Reference reference(design);
             const auto tables = bake(design);
             for (int i = 0; i < 40; ++i) {
-                const dvec3 k = i == 0 ? polar(1e-5, 0) : i == 1 ? polar(1e-5, 1.3) : random_direction(random);
+                const dvec3 k = i == 0   ? polar(1e-5, 0)
+                                : i == 1 ? polar(1e-5, 1.3)
+                                         : random_direction(random);
                 const double exact = ggx ? ggx_visibility(k, ax, ay) : beckmann_visibility(k, ax, ay);
                 CHECK(reference.visibility(k) == doctest::Approx(exact).epsilon(1e-9));
                 CHECK(std::fabs(baked_visibility(*tables, k) / exact - 1) < 1e-3);

@@ -33,7 +33,8 @@ Picture picture_of(int side, const Function& value) {
     raster->width = raster->height = side;
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
-            raster->values.push_back(static_cast<float>(value(2 * (column + 0.5) / side - 1, 1 - 2 * (row + 0.5) / side)));
+            raster->values.push_back(
+                static_cast<float>(value(2 * (column + 0.5) / side - 1, 1 - 2 * (row + 0.5) / side)));
     return {{}, raster};
 }
 

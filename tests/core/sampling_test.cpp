@@ -1,5 +1,6 @@
-// Sampling: weights, energy and the chi-square test at pbrt's settings (10 x 20 bins, 5 runs, significance 0.01
-// with the Sidak correction, bins under 5 expected pooled). NACRE_CHI2_SAMPLES=1000000 takes pbrt's count too.
+// Sampling: weights, energy and the chi-square test at pbrt's settings (10 x 20 bins, 5 runs, significance
+// 0.01 with the Sidak correction, bins under 5 expected pooled). NACRE_CHI2_SAMPLES=1000000 takes pbrt's
+// count too.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -38,17 +39,19 @@ std::vector<NamedDesign> designs() {
     Design modulated = design_of(GaussianLobe{0.6, 0.6});
     modulated.distribution.layers[0].modulation =
         Modulation{picture_of(32, [](double x, double y) { return 0.2 + 0.8 * (x * y > 0); }), 1};
-    return {{"gaussian", design_of(GaussianLobe{0.5, 0.3})},
-            {"cylinder", design_of(GaussianLobe{0.5, limits::infinity})},
-            {"ggx", design_of(GgxLobe{0.5, 0.3}, 0, 0, 20)},
-            {"beckmann", design_of(BeckmannLobe{0.6, 0.4})},
-            {"velvet", design_of(InverseGaussianLobe{0.7})},
-            {"curve", design_of(CurveLobe{{{5, 0}, {30, 1}, {70, 0.2}}})},
-            {"uniform", design_of(UniformLobe{})},
-            {"tilted", design_of(GaussianLobe{0.5, 0.8}, 30, 20)},
-            {"mixture", with_layer(design_of(GaussianLobe{0.4, 0.4}), UniformLobe{UniformDomain::sphere}, 0.5)},
-            {"painted", design_of(PaintedLobe{picture_of(24, [](double x, double y) { return std::exp(-2 * (x * x + 2 * y * y)); })})},
-            {"modulated", modulated}};
+    return {
+        {"gaussian", design_of(GaussianLobe{0.5, 0.3})},
+        {"cylinder", design_of(GaussianLobe{0.5, limits::infinity})},
+        {"ggx", design_of(GgxLobe{0.5, 0.3}, 0, 0, 20)},
+        {"beckmann", design_of(BeckmannLobe{0.6, 0.4})},
+        {"velvet", design_of(InverseGaussianLobe{0.7})},
+        {"curve", design_of(CurveLobe{{{5, 0}, {30, 1}, {70, 0.2}}})},
+        {"uniform", design_of(UniformLobe{})},
+        {"tilted", design_of(GaussianLobe{0.5, 0.8}, 30, 20)},
+        {"mixture", with_layer(design_of(GaussianLobe{0.4, 0.4}), UniformLobe{UniformDomain::sphere}, 0.5)},
+        {"painted", design_of(PaintedLobe{picture_of(
+                        24, [](double x, double y) { return std::exp(-2 * (x * x + 2 * y * y)); })})},
+        {"modulated", modulated}};
 }
 
 dvec3 direction_in_bin(int bin, double u, double v) {
@@ -104,7 +107,8 @@ double significance(std::vector<double> expected, std::vector<double> observed) 
         ++degrees;
     }
     if (pooled_expected > 1) {
-        statistic += (pooled_observed - pooled_expected) * (pooled_observed - pooled_expected) / pooled_expected;
+        statistic +=
+            (pooled_observed - pooled_expected) * (pooled_observed - pooled_expected) / pooled_expected;
         ++degrees;
     } else {
         CHECK(pooled_observed <= 10);
@@ -147,8 +151,11 @@ TEST_CASE("a sample's weight is eval cos/pdf, and never above F (1 + 1e-3) for a
             const dvec3 value = brdf.evaluate(k1, sample->k2);
             const double cosine = 0.5 * glm::length(k1 + sample->k2);
             for (int c = 0; c < 3; ++c) {
-                CHECK(sample->weight[c] == doctest::Approx(value[c] * sample->k2.z / sample->pdf).epsilon(1e-12));
-                if (valid) CHECK(sample->weight[c] <= brdf.tables().shading.fresnel(std::min(cosine, 1.0))[c] * (1 + 1e-3));
+                CHECK(sample->weight[c] ==
+                      doctest::Approx(value[c] * sample->k2.z / sample->pdf).epsilon(1e-12));
+                if (valid)
+                    CHECK(sample->weight[c] <=
+                          brdf.tables().shading.fresnel(std::min(cosine, 1.0))[c] * (1 + 1e-3));
             }
             CHECK(brdf.pdf(k1, sample->k2) == sample->pdf);
         }

@@ -1,4 +1,5 @@
-// The GLSL as a GPU runs it against core: every variant that a preset uses, on 10,000 random pairs of directions.
+// The GLSL as a GPU runs it against core: every variant that a preset uses, on 10,000 random pairs of
+// directions.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -35,9 +36,11 @@ struct NamedDesign {
 std::vector<NamedDesign> designs() {
     std::vector<NamedDesign> all;
     for (const auto& entry : std::filesystem::directory_iterator(NACRE_SOURCE_DIR "/presets"))
-        if (entry.path().extension() == ".nacre") all.push_back({entry.path().stem().string(), load_design(entry.path())});
+        if (entry.path().extension() == ".nacre")
+            all.push_back({entry.path().stem().string(), load_design(entry.path())});
     // What no preset uses: whole sphere, unclamped forms, Lambertian, no Fresnel, a tilted curve.
-    Design sphere = with_layer(design_of(GgxLobe{0.4, 0.2}, 0, 0, 30), UniformLobe{UniformDomain::sphere}, 0.3);
+    Design sphere =
+        with_layer(design_of(GgxLobe{0.4, 0.2}, 0, 0, 30), UniformLobe{UniformDomain::sphere}, 0.3);
     sphere.fresnel = NoFresnel{};
     sphere.diffuse = LambertianDiffuse{};
     sphere.shadowing.clamp = false;
@@ -85,7 +88,8 @@ std::vector<float> run(const Program& program, const Tables& tables, const std::
 }
 
 // The largest relative difference, of values above 1e-6 of the largest.
-double worst_difference(const std::vector<float>& values, const Tables& tables, const std::vector<glm::vec4>& pairs) {
+double worst_difference(const std::vector<float>& values, const Tables& tables,
+                        const std::vector<glm::vec4>& pairs) {
     const Shading<double>& shading = tables.shading;
     std::vector<dvec3> expected;
     double largest = 0;
@@ -115,7 +119,8 @@ TEST_CASE("GLSL pixels agree with core within 2e-3") {
         CAPTURE(d.name);
         for (const bool albedo : {false, true}) {
             const auto tables = bake(d.design, {.quality = Quality::draft, .albedo = albedo});
-            const Program program(text("full_screen.vert"), fragment_shader(variant_of(tables->shading), "parity.frag"));
+            const Program program(text("full_screen.vert"),
+                                  fragment_shader(variant_of(tables->shading), "parity.frag"));
             const auto pairs = random_pairs(*tables);
             CHECK(worst_difference(run(program, *tables, pairs), *tables, pairs) < 2e-3);
         }
@@ -132,11 +137,12 @@ TEST_CASE("the exported GLSL function agrees with core within 2e-3") {
         // through glslangValidator.
         if (tables->data.size() > 150) continue;
         ++compared;
-        const std::string fragment = "#version 330 core\n" + glsl_export(d.design, *tables) +
-                                     "uniform sampler2D pairs;\nout vec4 value;\nvoid main() {\n"
-                                     "    ivec2 at = ivec2(gl_FragCoord.xy);\n"
-                                     "    value = vec4(nacre_brdf(texelFetch(pairs, ivec2(2 * at.x, at.y), 0).xyz,\n"
-                                     "        texelFetch(pairs, ivec2(2 * at.x + 1, at.y), 0).xyz), 1.0);\n}\n";
+        const std::string fragment =
+            "#version 330 core\n" + glsl_export(d.design, *tables) +
+            "uniform sampler2D pairs;\nout vec4 value;\nvoid main() {\n"
+            "    ivec2 at = ivec2(gl_FragCoord.xy);\n"
+            "    value = vec4(nacre_brdf(texelFetch(pairs, ivec2(2 * at.x, at.y), 0).xyz,\n"
+            "        texelFetch(pairs, ivec2(2 * at.x + 1, at.y), 0).xyz), 1.0);\n}\n";
         const Program program(text("full_screen.vert"), fragment);
         const auto pairs = random_pairs(*tables);
         CHECK(worst_difference(run(program, *tables, pairs), *tables, pairs) < 2e-3);

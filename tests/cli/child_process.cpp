@@ -1,0 +1,149 @@
+#include "tests/cli/child_process.h"
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/core/temporary_folder.h"
+
+namespace nacre::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Both ends of a pipe, closed when it goes.
+struct Pipe {
+    std::array<int, 2> ends{-1, -1};
+
+    Pipe() {
+        if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+    ~Pipe() {
+        close_reader();
+        ::close(ends[1]);
+    }
+    void close_reader() {
+        if (ends[0] >= 0) ::close(ends[0]);
+        ends[0] = -1;
+    }
+};
+
+class Spawn {
+  public:
+    Spawn() {
+        posix_spawn_file_actions_init(&actions_);
+        posix_spawnattr_init(&attributes_);
+        sigset_t defaults;
+        sigemptyset(&defaults);
+        for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) sigaddset(&defaults, signal);
+        posix_spawnattr_setsigdefault(&attributes_, &defaults);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+    }
+    Spawn(const Spawn&) = delete;
+    Spawn& operator=(const Spawn&) = delete;
+    ~Spawn() {
+        posix_spawn_file_actions_destroy(&actions_);
+        posix_spawnattr_destroy(&attributes_);
+    }
+
+    void open(int descriptor, const std::string& file, int flags) {
+        posix_spawn_file_actions_addopen(&actions_, descriptor, file.c_str(), flags, 0600);
+    }
+    void use(int descriptor, int end) { posix_spawn_file_actions_adddup2(&actions_, end, descriptor); }
+
+    pid_t start(const std::vector<std::string>& arguments) {
+        std::vector<std::string> words = {NACRE_CLI};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        std::vector<char*> pointers;
+        for (std::string& word : words) pointers.push_back(word.data());
+        pointers.push_back(nullptr);
+        pid_t child = 0;
+        if (posix_spawn(&child, NACRE_CLI, &actions_, &attributes_, pointers.data(), environ) != 0)
+            throw std::runtime_error("nacre-cli does not start");
+        return child;
+    }
+
+  private:
+    posix_spawn_file_actions_t actions_{};
+    posix_spawnattr_t attributes_{};
+};
+
+}  // namespace
+
+Finished run_cli(const std::vector<std::string>& arguments, const ChildOptions& options) {
+    const TemporaryFolder folder;
+    write_all(folder / "in", options.input);
+    Pipe input, output;
+    Spawn spawn;
+    if (options.input_stays_open) {
+        spawn.use(STDIN_FILENO, input.ends[0]);
+        if (::write(input.ends[1], options.input.data(), options.input.size()) < 0)
+            throw std::runtime_error("pipe");
+    } else {
+        spawn.open(STDIN_FILENO, folder / "in", O_RDONLY);
+    }
+    const std::string out = options.output_to.empty() ? (folder / "out").string() : options.output_to;
+    if (options.output_reader_gone) {
+        spawn.use(STDOUT_FILENO, output.ends[1]);
+        output.close_reader();
+    } else {
+        spawn.open(STDOUT_FILENO, out, O_CREAT | O_WRONLY);
+    }
+    spawn.open(STDERR_FILENO, folder / "err", O_CREAT | O_WRONLY);
+    const pid_t child = spawn.start(arguments);
+    if (options.signal != 0) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(options.signal_after));
+        ::kill(child, options.signal);
+    }
+    const Clock::time_point signalled = Clock::now();
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    Finished finished;
+    finished.seconds_after_signal = std::chrono::duration<double>(Clock::now() - signalled).count();
+    finished.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (options.output_to.empty()) finished.out = read_all(folder / "out");
+    finished.err = read_all(folder / "err");
+    return finished;
+}
+
+std::string answer(const std::vector<std::string>& arguments, std::string_view input) {
+    const Finished finished = run_cli(arguments, {.input = std::string(input)});
+    CHECK(finished.err == "");
+    REQUIRE(finished.code == 0);
+    return finished.out;
+}
+
+std::vector<std::vector<double>> rows(const std::string& text) {
+    std::vector<std::vector<double>> result;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::vector<double>& row = result.emplace_back();
+        for (double value = 0; words >> value;) row.push_back(value);
+    }
+    return result;
+}
+
+bool is_one_line_with(const std::string& what, const std::vector<std::string>& parts) {
+    if (!what.starts_with("nacre-cli: ") || what.find('\n') != what.size() - 1) return false;
+    std::size_t at = 0;
+    for (const std::string& part : parts) {
+        at = what.find(part, at);
+        if (at == std::string::npos) return false;
+        at += part.size();
+    }
+    return true;
+}
+
+}  // namespace nacre::test

@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/exchange/picture.h"
+#include "tests/cli/child_process.h"
+#include "tests/cli/design_on_disk.h"
+
+using namespace nacre;
+using namespace nacre::test;
+
+TEST_CASE("info tells layers, moments, tables, shader parts and what is left out") {
+    Design model = design_of(GaussianLobe{0.1, 0.3});
+    Layer base = layer_of(GgxLobe{0.5, 0.5});
+    base.name = "base";
+    base.weight = 3;
+    Layer unused = layer_of(GaussianLobe{});
+    unused.enabled = false;
+    model.distribution.layers.push_back(base);
+    model.distribution.layers.push_back(unused);
+    model.diffuse = CoupledDiffuse{};
+    model.note = "two lobes";
+    const DesignOnDisk design(model);
+    const auto info = nlohmann::json::parse(answer({"info", design.path(), "--json"}));
+    CHECK(info.at("name") == "test");
+    CHECK(info.at("note") == "two lobes");
+    CHECK(info.at("layers").at(0).at("share") == 0.25);
+    CHECK(info.at("layers").at(1).at("name") == "base");
+    CHECK(info.at("layers").at(2).at("share") == 0);
+    CHECK(info.at("symmetry") == "quarter");
+    CHECK(info.at("N").get<double>() > 0.5);
+    CHECK(info.at("tables").size() == 3);
+    CHECK(info.at("tables").at(2).at("name") == "albedo");
+    CHECK(info.at("left_out").size() > 3);
+    const std::string text = answer({"info", design.path()});
+    for (const char* part :
+         {"test", "two lobes", "25.0 %", "75.0 %", "symmetry  quarter", "lobe ggx", "left out"})
+        CHECK(text.find(part) != std::string::npos);
+}
+
+TEST_CASE("bake tells times, sizes and errors, and the tables do not depend on the number of threads") {
+    const TemporaryFolder folder;
+    Design model = design_of(GaussianLobe{0.1, 0.3});
+    model.fresnel = SchlickFresnel{};
+    const DesignOnDisk design(model);
+    const auto summary = nlohmann::json::parse(
+        answer({"bake", design.path(), "-o", folder / "one", "--threads", "1", "--json"}));
+    CHECK(summary.at("seconds").get<double>() > 0);
+    CHECK(summary.at("errors").at("g_worst").get<double>() < 1e-3);
+    CHECK(summary.at("errors").at("R_worst").get<double>() < 3e-3);
+    answer({"export", design.path(), "--to", "exr", "-o", folder / "deep/er/many"});
+    for (const auto& table : summary.at("tables")) {
+        const std::string file = table.at("file");
+        CHECK(read_all(folder.path() / "one" / file) == read_all(folder.path() / "deep/er/many" / file));
+        CHECK(read_all(folder.path() / "one" / file) != "");
+    }
+}
+
+TEST_CASE("render writes PNG and EXR of the asked size") {
+    const TemporaryFolder folder;
+    Design model = design_of(GaussianLobe{0.3, 0.3});
+    model.diffuse = LambertianDiffuse{};
+    const DesignOnDisk design(model);
+    for (const char* name : {"a.png", "a.exr"}) {
+        CHECK(answer({"render", design.path(), "-o", folder / name, "--size", "64x64", "--scene", "two",
+                      "--light", "-30,45", "--exposure", "-0.5"}) == "");
+        const Raster raster = load_picture(folder / name, "", "");
+        CHECK(raster.width == 64);
+        CHECK(raster.values[32 * 64 + 32] > 0.01f);
+    }
+    CHECK(folder.size() == 2);
+}
+
+TEST_CASE("screenshot draws the window, also after a script") {
+    const TemporaryFolder folder;
+    const DesignOnDisk design(design_of(GaussianLobe{}));
+    write_all(folder / "script", "move 10 10\nframes 2\n");
+    answer({"screenshot", design.path(), "-o", folder / "a.png", "--size", "400x400", "--script",
+            folder / "script", "--ui-scale", "0.75"});
+    CHECK(load_picture(folder / "a.png", "", "").width == 400);
+    write_all(folder / "script", "move 10 10\nnonsense\n");
+    const Finished wrong = run_cli({"screenshot", "-o", folder / "b.png", "--script", folder / "script"});
+    CHECK(wrong.code == 1);
+    CHECK_MESSAGE(is_one_line_with(wrong.err, {"script: line 2"}), wrong.err);
+}
+
+TEST_CASE("gallery renders what it can, reports the rest, and makes a contact sheet") {
+    const TemporaryFolder folder, output;
+    save_design(design_of(GaussianLobe{}), folder / "b.nacre");
+    save_design(design_of(GgxLobe{}), folder / "a.nacre");
+    write_all(folder / "readme.txt", "no design");
+    const std::vector<std::string> arguments = {"gallery",      folder.path(), "-o",
+                                                output / "new", "--size",      "32x32"};
+    CHECK(answer(arguments).starts_with("2 pictures"));
+    for (const char* name : {"new/a.png", "new/b.png", "new/contact-sheet.png"})
+        CHECK(std::filesystem::exists(output.path() / name));
+    write_all(folder / "c.nacre", "{");
+    const Finished finished = run_cli(arguments);
+    CHECK(finished.code == 1);
+    CHECK(finished.out.starts_with("2 pictures"));
+    CHECK_MESSAGE(is_one_line_with(finished.err, {"c.nacre: line 1"}), finished.err);
+}
+
+TEST_CASE("export --to glsl writes the function") {
+    const TemporaryFolder folder;
+    const DesignOnDisk design(design_of(GaussianLobe{}));
+    answer({"export", design.path(), "--to", "glsl", "-o", folder / "a.glsl"});
+    CHECK(read_all(folder / "a.glsl").find("vec3 nacre_brdf(vec3 k1, vec3 k2)") != std::string::npos);
+    const std::string list = answer({"export", "--list"});
+    CHECK(list.find("exr") != std::string::npos);
+    CHECK(list.find("glsl") != std::string::npos);
+}

@@ -1,0 +1,119 @@
+// Every preset against its reference picture in tests/golden/. A failure leaves the picture and the
+// difference in golden/ of the build folder; scripts/update-golden takes the pictures of today as reference.
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/headless/offscreen_context.h"
+#include "app/preview/render.h"
+#include "core/design/design_file.h"
+#include "core/exchange/image_file.h"
+#include "tests/gl/read_png.h"
+
+using namespace nacre;
+using namespace nacre::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr glm::ivec2 size{160, 160};
+// Of 255: rounding, the dither and another llvmpipe move a pixel by one or two; a moved highlight by tens.
+constexpr double pixel_tolerance = 6, mean_tolerance = 0.35;
+
+const fs::path references = fs::path(NACRE_SOURCE_DIR) / "tests/golden";
+const fs::path failures = fs::path(NACRE_BINARY_DIR) / "golden";
+
+struct Difference {
+    double worst = 0, mean = 0;  // of 255
+    std::vector<float> picture;  // eight times the difference
+};
+
+Difference compare(const std::vector<float>& actual, const std::vector<float>& expected) {
+    Difference difference;
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+        const double d = 255 * std::fabs(static_cast<double>(actual[i]) - static_cast<double>(expected[i]));
+        difference.worst = std::fmax(difference.worst, d);
+        difference.mean += d / static_cast<double>(actual.size());
+        difference.picture.push_back(static_cast<float>(std::fmin(8 * d / 255, 1)));
+    }
+    return difference;
+}
+
+void check_picture(const std::string& name, const RenderedImage& image) {
+    CAPTURE(name);
+    const fs::path reference = references / (name + ".png");
+    if (std::getenv("NACRE_UPDATE_GOLDEN")) {
+        write_image(reference, image.size, image.rgb);
+        return;
+    }
+    REQUIRE(fs::exists(reference));
+    const std::vector<float> expected = read_png(reference, image.size);
+    REQUIRE(expected.size() == image.rgb.size());
+    const Difference difference = compare(image.rgb, expected);
+    CHECK(difference.worst <= pixel_tolerance);
+    CHECK(difference.mean <= mean_tolerance);
+    if (difference.worst <= pixel_tolerance && difference.mean <= mean_tolerance) return;
+    fs::create_directories(failures);
+    write_image(failures / (name + ".actual.png"), image.size, image.rgb);
+    write_image(failures / (name + ".difference.png"), image.size, difference.picture);
+    MESSAGE("see " << (failures / (name + ".actual.png")).string());
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("golden");
+
+TEST_CASE("every preset looks as it did") {
+    const auto context = make_offscreen_context({16, 16});
+    int pictures = 0;
+    for (const auto& entry : fs::directory_iterator(NACRE_SOURCE_DIR "/presets")) {
+        if (entry.path().extension() != ".nacre") continue;
+        check_picture(entry.path().stem().string(),
+                      render_design(load_design(entry.path()), Scene{}, size, false));
+        ++pictures;
+    }
+    CHECK(pictures >= 14);
+}
+
+TEST_CASE("every scene looks as it did") {
+    const auto context = make_offscreen_context({16, 16});
+    const Design design = load_design(NACRE_SOURCE_DIR "/presets/brushed-gold.nacre");
+    for (const std::string& name : scene_names()) {
+        if (name == "single") continue;
+        check_picture("scene-" + name, render_design(design, *scene_by_name(name), size, false));
+    }
+}
+
+TEST_CASE("the pictures show what their names promise") {
+    const auto context = make_offscreen_context({16, 16});
+    auto render = [](const char* name) {
+        return render_design(
+            load_design(fs::path(NACRE_SOURCE_DIR "/presets") / (std::string(name) + ".nacre")), Scene{},
+            size, true);
+    };
+    auto at = [](const RenderedImage& image, double x, double y) {
+        const int column = static_cast<int>((0.5 + 0.39 * x) * size.x),
+                  row = static_cast<int>((0.5 - 0.39 * y) * size.y);
+        return static_cast<double>(image.rgb[static_cast<std::size_t>((row * size.x + column) * 3)]);
+    };
+    // The highlight stands where the half vector is the normal.
+    const glm::dvec3 h = glm::normalize(light_direction(Scene{}.light) + glm::dvec3{0, 0, 1});
+    const RenderedImage gold = render("brushed-gold");
+    // A streak along the meridian: far longer up and down than across.
+    CHECK(at(gold, h.x, h.y - 0.4) > 3 * at(gold, h.x + 0.3, h.y));
+    const RenderedImage velvet = render("velvet");
+    // Toward the light's rim brighter than where plastic has its highlight.
+    const double away = std::hypot(h.x, h.y);
+    CHECK(at(velvet, 0.97 * h.x / away, 0.97 * h.y / away) > 1.3 * at(velvet, h.x, h.y));
+    const RenderedImage satin = render("satin"), plastic = render("gold-painted-plastic");
+    CHECK(at(satin, h.x, h.y - 0.35) > 1.2 * at(satin, h.x + 0.35, h.y - 0.1));
+    CHECK(at(plastic, h.x, h.y) > 1.3 * at(plastic, h.x, h.y - 0.35));
+    const RenderedImage ring = render("moon-ring");
+    CHECK(at(ring, h.x, h.y - 0.43) > 3 * at(ring, h.x, h.y - 0.2));
+}
+
+TEST_SUITE_END();

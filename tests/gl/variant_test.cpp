@@ -1,0 +1,121 @@
+// Shader variants as text: each holds only what it needs, and each passes glslangValidator.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "core/bake/bake.h"
+#include "core/design/design_file.h"
+#include "core/exchange/glsl_export.h"
+#include "core/exchange/shader_variant.h"
+#include "shaders/shader_text.h"
+
+using namespace nacre;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<Design> presets() {
+    std::vector<Design> all;
+    for (const auto& entry : fs::directory_iterator(NACRE_SOURCE_DIR "/presets"))
+        if (entry.path().extension() == ".nacre") all.push_back(load_design(entry.path()));
+    return all;
+}
+
+// Every kind of everything, each lobe with each model in turn.
+std::vector<ShaderVariant> all_kinds() {
+    std::vector<ShaderVariant> variants;
+    int turn = 0;
+    for (const FresnelKind fresnel :
+         {FresnelKind::none, FresnelKind::schlick, FresnelKind::dielectric, FresnelKind::conductor})
+        for (const VisibilityKind visibility :
+             {VisibilityKind::uncorrelated, VisibilityKind::correlated, VisibilityKind::smith_correlated})
+            for (const DiffuseKind diffuse :
+                 {DiffuseKind::none, DiffuseKind::lambertian, DiffuseKind::coupled, DiffuseKind::metal}) {
+                ShaderVariant variant;
+                variant.lobes = {turn % 8};
+                variant.modulation = turn % 3 == 0;
+                const bool reads = diffuse == DiffuseKind::coupled || diffuse == DiffuseKind::metal;
+                variant.kinds = {fresnel, visibility, diffuse, turn % 2 == 0, reads || turn % 5 == 0};
+                variant.second_light = turn % 2 == 1;
+                variant.ambient = variant.kinds.albedo && turn % 4 < 2;
+                variants.push_back(variant);
+                ++turn;
+            }
+    return variants;
+}
+
+// Writes the shaders, runs the validator once over all of them and returns what it says; empty when all is
+// well.
+std::string validate(const std::map<std::string, std::string>& shaders) {
+    const fs::path folder = fs::temp_directory_path() / fmt::format("nacre-shaders-{}", getpid());
+    fs::create_directories(folder);
+    std::string files;
+    for (const auto& [name, text] : shaders) {
+        std::ofstream(folder / name) << text;
+        files += " '" + (folder / name).string() + "'";
+    }
+    const std::string command = "glslangValidator" + files + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe);
+    std::string output;
+    char buffer[4096];
+    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, n);
+    const int status = pclose(pipe);
+    fs::remove_all(folder);
+    return status == 0 ? "" : output + fmt::format("exit {}", status);
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("variants");
+
+TEST_CASE("glslangValidator accepts every variant") {
+    std::map<std::string, std::string> shaders;
+    shaders["full_screen.vert"] = std::string(shader_text("full_screen.vert"));
+    shaders["develop.frag"] = std::string(shader_text("develop.frag"));
+    int index = 0;
+    for (const ShaderVariant& variant : all_kinds()) {
+        shaders[fmt::format("sphere-{}.frag", index)] = fragment_shader(variant, "sphere.frag");
+        shaders[fmt::format("parity-{}.frag", index++)] = fragment_shader(variant, "parity.frag");
+    }
+    CHECK(validate(shaders) == "");
+}
+
+TEST_CASE("glslangValidator accepts every preset's variant and exported function") {
+    std::map<std::string, std::string> shaders;
+    int index = 0;
+    for (const Design& design : presets()) {
+        const auto tables = bake(design, {.quality = Quality::draft});
+        shaders[fmt::format("preset-{}.frag", index)] =
+            fragment_shader(variant_of(tables->shading), "sphere.frag");
+        shaders[fmt::format("export-{}.frag", index++)] =
+            "#version 330 core\n" + glsl_export(design, *tables) +
+            "out vec4 value;\nvoid main() { value = vec4(nacre_brdf(vec3(0, 0, 1), vec3(0.6, 0, 0.8)), 1.0); "
+            "}\n";
+    }
+    CHECK(validate(shaders) == "");
+}
+
+TEST_CASE("the validator would notice") {
+    CHECK(validate({{"bad.frag", "#version 330 core\nvoid main() { x = 1; }\n"}}) != "");
+}
+
+TEST_CASE("a variant's text is a function of its value, and leaves out what it does not need") {
+    ShaderVariant plain;
+    plain.lobes = {Shading<double>::LOBE_GGX};
+    CHECK(fragment_shader(plain, "sphere.frag") == fragment_shader(plain, "sphere.frag"));
+    CHECK(fragment_shader(plain, "sphere.frag").find("#define HAS_ALBEDO 0\n") != std::string::npos);
+    CHECK(fragment_shader(plain, "sphere.frag").find("#define HAS_GGX 1\n") != std::string::npos);
+    CHECK(fragment_shader(plain, "sphere.frag").find("#define HAS_PAINTED 0\n") != std::string::npos);
+    ShaderVariant lit = plain;
+    lit.second_light = true;
+    CHECK(fragment_shader(lit, "sphere.frag") != fragment_shader(plain, "sphere.frag"));
+}
+
+TEST_SUITE_END();
