@@ -18,7 +18,7 @@ namespace {
 
 // A final bake doubles its nodes until g is this close, relative, between them, or the tables reach the
 // limit.
-constexpr double area_tolerance = 5e-4;
+constexpr double area_tolerance = 7e-4;
 constexpr int nodes_limit = 20000;
 
 class Bake {
@@ -107,16 +107,9 @@ class Bake {
         measure_area(grid);
     }
 
-    // Error of g at (w, psi); relative to max(g, N c), which is what the BRDF divides by, or to g itself
-    // without clamp.
-    double area_error(const StretchedGrid& grid, double w, double row) const {
-        const Shading<double>& shading = tables_->shading;
+    double error_at(const StretchedGrid& grid, double w, double row) const {
         const dvec3 k = grid.area_direction(w, row);
-        const double exact = tables_->distribution->area(k).g;
-        const double read = shading.projected_area(k, shading.table_spot(k));
-        const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
-        const double divisor = std::fmax(exact, floor);
-        return divisor > 0 ? std::fabs(std::fmax(read, floor) - divisor) / divisor : 0;
+        return area_error(tables_->shading, k, tables_->distribution->area(k).g);
     }
 
     // Between all nodes: at the middles of both kinds of edges and at the centres of cells.
@@ -127,10 +120,10 @@ class Bake {
         for_each(count, [&](int i) {
             const double column = i % columns, row = i / columns;
             dvec3& error = errors[static_cast<std::size_t>(i)];
-            error.x = area_error(grid, (column + 0.5) / columns, row);
+            error.x = error_at(grid, (column + 0.5) / columns, row);
             if (tables_->plan.nodes_psi == 1) return;
-            error.y = area_error(grid, (column + 1) / columns, row + 0.5);
-            error.z = area_error(grid, (column + 0.5) / columns, row + 0.5);
+            error.y = error_at(grid, (column + 1) / columns, row + 0.5);
+            error.z = error_at(grid, (column + 0.5) / columns, row + 0.5);
         });
         TableError& error = tables_->area_error;
         error = {};
@@ -195,6 +188,14 @@ std::size_t Tables::table_floats() const {
     const std::size_t albedo =
         static_cast<std::size_t>(plan.nodes_rho) * static_cast<std::size_t>(plan.nodes_v);
     return rows * (1 + static_cast<std::size_t>(plan.nodes_w)) + albedos * albedo;
+}
+
+double area_error(const Shading<double>& shading, dvec3 k, double exact) {
+    const auto spot = shading.table_spot(k);
+    const double read = shading.projected_area(k, spot);
+    const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
+    const double divisor = std::max({exact, floor, 0.05 * spot.q});
+    return divisor > 0 ? std::fabs(std::fmax(read, floor) - std::fmax(exact, floor)) / divisor : 0;
 }
 
 std::shared_ptr<const Tables> bake(const Design& design, const BakeOptions& options, std::stop_token stop,

@@ -56,28 +56,28 @@ StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const BakePl
     shading_.data = data_.data();
 }
 
-// D(phi) = g - k.M at grazing.
+// D(phi): g - k.M at grazing, its mean over phi and phi + pi. Taking both sides keeps D and with it the
+// coordinates smooth for a p that leans to one side, where one of the two all but vanishes.
 double StretchedGrid::width(double phi) const {
     const dvec3 k{std::cos(phi), std::sin(phi), 0};
-    const double d = distribution_.area(k).g - glm::dot(k, moment_);
-    return std::fmax(d, smallest_width * moment_.z);
+    const double both = distribution_.area(k).g + distribution_.area(-k).g;
+    return std::fmax(0.5 * both, smallest_width * moment_.z);
 }
 
-// The ellipse through D's even part along the axis where it is least, and across. D is the support function
-// of a flat figure, so its even part has one minimum between neighbours of a dense row.
+// The ellipse through D along the axis where it is least, and across. D is the support function of a flat figure,
+// so it has one minimum between neighbours of a dense row.
 void StretchedGrid::fit_ellipse(const DistributionSymmetry& symmetry) {
-    auto even = [&](double phi) { return 0.5 * (width(phi) + width(phi + pi)); };
     double axis = symmetry.axis * (pi / 180);
     if (symmetry_ == Symmetry::none) {
         constexpr int steps = 64;
         int best = 0;
         for (int i = 1; i < steps; ++i)
-            if (even(pi * i / steps) < even(pi * best / steps)) best = i;
+            if (width(pi * i / steps) < width(pi * best / steps)) best = i;
         double low = pi * (best - 1) / steps, high = pi * (best + 1) / steps;
         const double ratio = 1 / std::numbers::phi;
         while (high - low > 1e-10) {
             const double a = high - ratio * (high - low), b = low + ratio * (high - low);
-            if (even(a) < even(b)) {
+            if (width(a) < width(b)) {
                 high = b;
             } else {
                 low = a;
@@ -86,7 +86,7 @@ void StretchedGrid::fit_ellipse(const DistributionSymmetry& symmetry) {
         axis = 0.5 * (low + high);
     }
     axis_ = {std::cos(axis), std::sin(axis)};
-    stretch_ = symmetry_ == Symmetry::isotropic ? dvec2{even(axis)} : dvec2{even(axis), even(axis + pi / 2)};
+    stretch_ = symmetry_ == Symmetry::isotropic ? dvec2{width(axis)} : dvec2{width(axis), width(axis + pi / 2)};
 }
 
 double StretchedGrid::row_angle(double row, int nodes) const {
@@ -140,7 +140,8 @@ dvec3 StretchedGrid::albedo_direction(double v, double row) const {
 double StretchedGrid::shape_value(double w, double row, double g) const {
     if (w <= 0) return 0;
     const dvec3 k = area_direction(w, row);
-    return std::clamp((g - glm::dot(k, moment_)) / shading_.table_spot(k).q, 0.0, 1.0);
+    const double scale = k.z * moment_.z + 2 * shading_.table_spot(k).q;
+    return std::clamp((g - glm::dot(k, moment_)) / scale, 0.0, 1.0);
 }
 
 }  // namespace nacre

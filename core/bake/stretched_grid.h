@@ -30,7 +30,7 @@ class StretchedGrid {
     dvec3 area_direction(double w, double row) const;
     dvec3 albedo_direction(double v, double row) const;
 
-    // S at (w, psi), from g there.
+    // A at (w, psi), from g there.
     double shape_value(double w, double row, double g) const;
 
   private:

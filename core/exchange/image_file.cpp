@@ -70,6 +70,7 @@ void write_exr(const fs::path& file, glm::ivec2 size, const std::vector<std::str
     OIIO::ImageSpec spec(size.x, size.y, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = channels;
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // else the time of writing: the same picture is the same file
     spec.attribute("oiio:ColorSpace", "Linear");
     write_with("openexr", file, spec, OIIO::TypeDesc::FLOAT, values.data());
 }

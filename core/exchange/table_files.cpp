@@ -78,7 +78,7 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
                         {"Y"},
                         part(tables, shape.width_offset, shape.nodes_psi)});
     pictures.push_back({"area.exr",
-                        "S",
+                        "A",
                         "w",
                         "psi",
                         {shape.nodes_w, shape.nodes_psi},
@@ -86,7 +86,7 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
                         part(tables, shape.area_offset, shape.nodes_w * shape.nodes_psi)});
     if (tables.plan.albedo)
         pictures.push_back({"albedo.exr",
-                            "A",
+                            "albedo",
                             "v",
                             "rho",
                             {shape.nodes_v, shape.nodes_rho},

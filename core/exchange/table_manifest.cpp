@@ -121,15 +121,16 @@ Json evaluation_json(const Tables& tables) {
         "along = stretch[0] x'; across = stretch[1] y'; psi = atan2(across, along)",
         "q = sqrt(along^2 + across^2) tau(psi)",
         "w = 2 q/(z moment[2] + 2 q); 0 where the denominator is 0",
-        "g = max(0, k.moment + q S(w, psi))",
+        "g = max(0, k.moment + (z moment[2] + 2 q) S(w, psi))",
         "P = N z/g; with clamp P = min(1, N z/g)"};
     if (tables.plan.albedo) {
         steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + atan2(y', x'))/2");
         steps.push_back("kept = min(1, g/(N z)) with clamp (1 at z = 0), 1 without");
         steps.push_back(
-            "R1 = max(0, A(v, rho)) kept: the directional albedo of the specular term with F = 1");
+            "R1 = max(0, albedo(v, rho)) kept: the directional albedo of the specular term with F = 1");
         if (tables.plan.fresnel_tables > 0)
-            steps.push_back("R0 = max(0, F0 max(0, A(v, rho)) + residual(v, rho)) kept, F0 = `fresnel_at_n`");
+            steps.push_back(
+                "R0 = max(0, F0 max(0, albedo(v, rho)) + residual(v, rho)) kept, F0 = `fresnel_at_n`");
         steps.push_back("R, the design's own albedo, is `albedo_of_design`");
     }
     return steps;
@@ -259,10 +260,10 @@ std::string table_manifest(const Design& design, const Tables& tables,
          "corners.exr holds "
          "1 in the first line's first texel, 2 in its last, 3 and 4 in the last line's first and last"}};
     json["units"] =
-        "g, tau S q: areas per area of facets; R and P: parts of 1; angles in radians unless said; colours "
+        "g, tau, q: areas per area of facets; S, R and P: parts of 1; angles in radians unless said; colours "
         "linear Rec. 709";
     json["error"] = {{"g", errors.area},
-                     {"g_is", "worst |g - exact|/max(exact, N z)"},
+                     {"g_is", "worst |g - exact|/max(exact, N z (clamp), q/20)"},
                      {"R", errors.albedo},
                      {"R_is", "worst |R - exact|"},
                      {"g_directions", errors.area_directions},

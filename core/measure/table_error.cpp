@@ -16,16 +16,6 @@ using std::numbers::pi;
 constexpr double grazing = 1e-5;  // the smallest c
 constexpr int area_directions = 200, albedo_directions = 8;
 
-// Under clamp the BRDF reads g only where it exceeds N c.
-double area_error(const Tables& tables, const Reference& reference, dvec3 k) {
-    const Shading<double>& shading = tables.shading;
-    const double nc = shading.surface.N * k.z, floor = shading.kinds.clamp ? nc : 0;
-    const double read = std::fmax(shading.projected_area(k, shading.table_spot(k)), floor);
-    const double exact = std::fmax(reference.projected_area(k), floor);
-    const double divisor = std::fmax(exact, nc);
-    return divisor > 0 ? std::fabs(read - exact) / divisor : 0;
-}
-
 double albedo_error(const Tables& tables, const Reference& reference, dvec3 k, const std::stop_token& stop) {
     const Shading<double>& shading = tables.shading;
     const auto spot = shading.table_spot(k);
@@ -61,7 +51,7 @@ std::vector<dvec3> probe_directions(int count) {
 TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop) {
     TableErrors worst{.area_directions = area_directions, .albedo_directions = 0};
     for (const dvec3 k : probe_directions(area_directions))
-        worst.area = std::fmax(worst.area, area_error(tables, reference, k));
+        worst.area = std::fmax(worst.area, area_error(tables.shading, k, reference.projected_area(k)));
     if (!tables.plan.albedo) return worst;
     worst.albedo_directions = albedo_directions;
     const std::vector<dvec3> probes = probe_directions(albedo_directions);

@@ -10,7 +10,7 @@
 namespace nacre {
 
 struct TableErrors {
-    double area = 0;    // worst of |g - exact| / max(exact, N c): what the BRDF divides by
+    double area = 0;    // worst of area_error(), bake/tables.h
     double albedo = 0;  // worst of |R - exact|, each Fresnel factor; 0 without R
     int area_directions = 0;
     int albedo_directions = 0;

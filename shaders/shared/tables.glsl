@@ -1,13 +1,15 @@
 // The projected area g(k) and the albedo R(k) from tables whose directions are stretched by p's own width,
 // so that their error does not depend on how narrow p is.
 //
-//   g(k) = k.M + d(k),   M = integral of h p over the facets above the horizon = grad g(n)
-//   d(k) = q S(w, psi),  q = sin(theta) D(phi),  D(phi) = d at grazing azimuth phi
-//   w = 2 q / (c Mz + 2 q),  psi = azimuth after p's width along and across `axis` is made one
+//   g(k) = k.M + d(k),              M = integral of h p over the facets above the horizon = grad g(n)
+//   d(k) = (c Mz + 2 q) A(w, psi),  q = sin(theta) D(phi),  D(phi) = <|h.k|>/2 at grazing azimuth phi
+//   w = 2 q / (c Mz + 2 q),         psi = azimuth after p's width along and across `axis` is made one
 //
 // d is what turning from n toward k uncovers: facets below the horizon that come into sight and facets
-// above it that turn away. It is >= 0, and S falls from 1 at grazing (w = 1) to 0 at the normal (w = 0),
-// for every p, also one with facets below the horizon. D is stored over its ellipse, D = |L e(phi)| tau(psi).
+// above it that turn away. It is >= 0, and A lies in [0, 1] and is 0 at the normal (w = 0) for every p, also one
+// with facets below the horizon; where <h> stands on n it is 1/2 at grazing (w = 1). Straight lines in w are chords of the homogeneous, convex
+// g on a meridian: they never lie below it, so that the table creates no energy, and they keep what is linear in
+// k exact, so that g stays accurate where k.M and d cancel. D is stored over its ellipse, D = |L e(phi)| tau(psi).
 // R also turns at the scale of the hemisphere itself (Fresnel, a lobe that is narrow one way and wide the
 // other), so its tables share their nodes between both scales:
 //
@@ -94,8 +96,9 @@ real table_value(TableRows rows, int offset, int nodes, real at) READS {
 
 // g(k) for k.z >= 0, p normalised to 1                                     (Ashikhmin 2000, eq. 18)
 real projected_area(real3 k, TableSpot spot) READS {
-    real s = table_value(spot.psi, surface.tables.area_offset, surface.tables.nodes_w, spot.w);
-    return max(dot(k, surface.tables.moment) + spot.q * s, real(0.0));
+    real a = table_value(spot.psi, surface.tables.area_offset, surface.tables.nodes_w, spot.w);
+    real scale = k.z * surface.tables.moment.z + real(2.0) * spot.q;
+    return max(dot(k, surface.tables.moment) + scale * a, real(0.0));
 }
 
 #if HAS_ALBEDO

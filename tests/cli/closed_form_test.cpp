@@ -105,7 +105,7 @@ TEST_CASE("the uniform hemisphere: P and R are their closed forms") {
 }
 
 TEST_CASE("N and g at grazing of the paper's lobes are their closed forms") {
-    for (const double s : {0.2, 0.5, 1.0, 3.0, 10.0}) {
+    for (const double s : {0.2, 1.0, 10.0}) {
         check_moments(GaussianLobe{s, s}, gaussian_moments(s));
         check_moments(InverseGaussianLobe{s}, inverse_gaussian_moments(s));
     }

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <sstream>
@@ -25,8 +26,9 @@ std::vector<Design> every_model() {
     const Fresnel fresnels[] = {NoFresnel{}, SchlickFresnel{}, DielectricFresnel{}, ConductorFresnel{}};
     const Diffuse diffuses[] = {NoDiffuse{}, LambertianDiffuse{}, CoupledDiffuse{}, MetalDiffuse{}};
     for (int i = 0; i < 12; ++i) {
-        Design design = design_of(GaussianLobe{0.1, 0.5});
-        if (i % 2 == 1) design = slanted_velvet(i % 4 == 1);
+        Design design = design_of(GgxLobe{0.1, 0.5});
+        if (i % 4 == 1) design.distribution.layers[0].tilt = 40;
+        design.shadowing.clamp = i % 3 != 1;
         design.shadowing.model = static_cast<ShadowingModel>(i % 3);
         design.fresnel = fresnels[i % 4];
         design.diffuse = diffuses[(i + i / 4) % 4];
@@ -46,9 +48,10 @@ TEST_CASE("eval of (a, b) and of (b, a) print the same characters, none negative
     }
     for (const Design& model : every_model()) {
         const DesignOnDisk design(model);
-        const std::string first = answer({"eval", design.path()}, there);
-        CHECK(first == answer({"eval", design.path()}, back));
-        for (const auto& row : rows(first))
+        const auto lines = lines_of_text(answer({"eval", design.path()}, there + back));
+        REQUIRE(lines.size() == 2 * a.size());
+        for (std::size_t i = 0; i < a.size(); ++i) CHECK(lines[i] == lines[i + a.size()]);
+        for (const auto& row : rows(fmt::format("{}", fmt::join(lines, "\n"))))
             for (const double value : row) CHECK((std::isfinite(value) && value >= 0));
     }
 }
@@ -107,7 +110,7 @@ TEST_CASE("eval skips blank lines and comments, takes any blanks and line ends, 
 }
 
 TEST_CASE("lines that are no directions name their line, after the answers to the lines before") {
-    const DesignOnDisk design(design_of(GaussianLobe{}));
+    const DesignOnDisk design(design_of(UniformLobe{}));
     const char* wrong[] = {"0 0 1 0 0",       "0 0 1 0 0 1 0",   "0 0 1 0 0 nan", "0 0 1 inf 0 1",
                            "0 0 0 0 0 1",     "0 0 1 0 0 1e999", "0 0 1 0 0 x",   "0,0,1,0,0,1",
                            "0 0 1 0 0 0x10 ", "0 0 1 0 0 -0 "};

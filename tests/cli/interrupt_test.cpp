@@ -42,7 +42,7 @@ TEST_CASE("Ctrl+C stops within a second whatever is going on") {
     SUBCASE("a folder of tables") {
         const TemporaryFolder folder;
         check_stopped(run_cli({"bake", design.path(), "-o", folder / "tables"},
-                              {.signal = SIGINT, .signal_after = 0.2}));
+                              {.signal = SIGINT, .signal_after = 0.7}));
         CHECK(folder.size() == 0);
     }
 }

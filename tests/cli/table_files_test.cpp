@@ -77,12 +77,12 @@ class Stranger {
         const double w = 2 * q / (k.z * m + 2 * q);
         const double dot = k.x * number("moment", 0) + k.y * number("moment", 1) + k.z * m;
         Answer answer{};
-        answer.g = std::max(0.0, dot + q * value("S", w, psi));
+        answer.g = std::max(0.0, dot + (k.z * m + 2 * q) * value("A", w, psi));
         answer.P = n * k.z / answer.g;
         if (clamp) answer.P = std::min(1.0, answer.P);
         const double s = std::hypot(k.x, k.y), v = (w + s / (k.z + s)) / 2;
         const double kept = clamp ? std::min(1.0, answer.g / (n * k.z)) : 1;
-        const double a = std::max(0.0, value("A", v, rho));
+        const double a = std::max(0.0, value("albedo", v, rho));
         answer.R1 = a * kept;
         answer.R0 = std::max(0.0, std::pow(1 - k.z, 5) * a + value("residual", v, rho)) * kept;
         return answer;
@@ -126,7 +126,7 @@ class Stranger {
 };
 
 Design none_symmetric() {
-    Design design = design_of(GaussianLobe{0.1, 0.4});
+    Design design = design_of(GgxLobe{0.1, 0.4});
     design.distribution.layers[0].rotation = 20;
     Layer leaning = layer_of(GgxLobe{0.3, 0.3});
     leaning.tilt = 30;
@@ -136,7 +136,8 @@ Design none_symmetric() {
 }
 
 Design half_symmetric() {
-    Design design = slanted_velvet(true);
+    Design design = design_of(GgxLobe{0.2, 0.5});
+    design.distribution.layers[0].tilt = 40;
     design.distribution.layers[0].azimuth = 50;
     return design;
 }
@@ -145,22 +146,25 @@ Design half_symmetric() {
 
 TEST_CASE("g, P and R evaluated from the written files alone are those of `tables`") {
     const TemporaryFolder folder;
-    Design quarter = design_of(GaussianLobe{0.1, 0.5});
+    Design quarter = design_of(GgxLobe{0.1, 0.5});
     quarter.distribution.layers[0].rotation = 30;
-    for (Design model : {design_of(GaussianLobe{0.2, 0.2}), quarter, half_symmetric(), none_symmetric()}) {
+    for (Design model : {design_of(GgxLobe{0.2, 0.2}), quarter, half_symmetric(), none_symmetric()}) {
         model.fresnel = SchlickFresnel{};
         const DesignOnDisk design(model);
         answer({"export", design.path(), "--to", "exr", "-o", folder / "tables"});
         const Stranger stranger(folder / "tables");
         const auto directions = test_directions(500);
         const auto expected = rows(answer({"tables", design.path()}, lines_of(directions)));
+        double worst_area = 0, worst_rest = 0;
         for (std::size_t i = 0; i < directions.size(); ++i) {
             const Stranger::Answer got = stranger.evaluate(directions[i]);
-            CHECK(got.g == doctest::Approx(expected[i].at(0)).epsilon(1e-6));
-            CHECK(got.P == doctest::Approx(expected[i].at(1)).epsilon(1e-6));
-            CHECK(std::fabs(got.R0 - expected[i].at(2)) < 1e-6);
-            CHECK(std::fabs(got.R1 - expected[i].at(3)) < 1e-6);
+            const std::vector<double>& row = expected[i];
+            worst_area = std::fmax(worst_area, std::fabs(got.g / row.at(0) - 1));
+            for (const double error : {got.P - row.at(1), got.R0 - row.at(2), got.R1 - row.at(3)})
+                worst_rest = std::fmax(worst_rest, std::fabs(error));
         }
+        CHECK(worst_area < 1e-6);
+        CHECK(worst_rest < 1e-6);
     }
 }
 
