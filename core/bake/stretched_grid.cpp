@@ -64,8 +64,8 @@ double StretchedGrid::width(double phi) const {
     return std::fmax(0.5 * both, smallest_width * moment_.z);
 }
 
-// The ellipse through D along the axis where it is least, and across. D is the support function of a flat figure,
-// so it has one minimum between neighbours of a dense row.
+// The ellipse through D along the axis where it is least, and across. D is the support function of a flat
+// figure, so it has one minimum between neighbours of a dense row.
 void StretchedGrid::fit_ellipse(const DistributionSymmetry& symmetry) {
     double axis = symmetry.axis * (pi / 180);
     if (symmetry_ == Symmetry::none) {
@@ -86,7 +86,8 @@ void StretchedGrid::fit_ellipse(const DistributionSymmetry& symmetry) {
         axis = 0.5 * (low + high);
     }
     axis_ = {std::cos(axis), std::sin(axis)};
-    stretch_ = symmetry_ == Symmetry::isotropic ? dvec2{width(axis)} : dvec2{width(axis), width(axis + pi / 2)};
+    stretch_ =
+        symmetry_ == Symmetry::isotropic ? dvec2{width(axis)} : dvec2{width(axis), width(axis + pi / 2)};
 }
 
 double StretchedGrid::row_angle(double row, int nodes) const {

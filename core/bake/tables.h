@@ -35,9 +35,9 @@ struct Tables {
     std::size_t table_floats() const;  // of `data`: the tables without curves and pictures
 };
 
-// Error of the tables' g at k, given g itself: relative to max(g, N c), which is what the BRDF divides by (to g
-// without clamp), and to no less than a twentieth of p's own width there. Less than that g has only where a p that
-// leans to one side turns away almost whole.
+// Error of the tables' g at k, given g itself: relative to max(g, N c), which is what the BRDF divides by (to
+// g without clamp), and to no less than a twentieth of p's own width there. Less than that g has only where a
+// p that leans to one side turns away almost whole.
 double area_error(const Shading<double>& shading, dvec3 k, double exact);
 
 }  // namespace nacre

@@ -15,9 +15,9 @@ struct Finished {
 };
 
 struct ChildOptions {
-    std::string input = {};              // on standard input
+    std::string input = {};         // on standard input
     bool input_stays_open = false;  // a pipe that brings `input` and then nothing
-    std::string output_to = {};          // a file or device in place of a captured output
+    std::string output_to = {};     // a file or device in place of a captured output
     bool output_reader_gone = false;
     int signal = 0;             // sent after `signal_after`
     double signal_after = 0.5;  // seconds
