@@ -1,4 +1,5 @@
-// Colours are linear in the design and shown encoded, as every colour picker does.
+// Colours are linear in the design and in the three fields, as tables of measured reflectance print them; the
+// swatch beside them shows and picks the colour as a display does.
 #include <imgui.h>
 
 #include <algorithm>
@@ -19,22 +20,39 @@ double decoded(double value) {
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
+// A channel that was not touched keeps all its digits.
+void linear_fields(const char* label, glm::dvec3& linear, const char* tooltip_text) {
+    float values[3], shown[3];
+    for (int i = 0; i < 3; ++i) values[i] = shown[i] = static_cast<float>(linear[i]);
+    const float swatch_width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - swatch_width);
+    ImGui::DragFloat3("##linear", values, 0.002f, 0, 1, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+    note_item(label);
+    tooltip_for_item(tooltip_text);
+    for (int i = 0; i < 3; ++i)
+        if (values[i] != shown[i]) linear[i] = std::clamp(static_cast<double>(values[i]), 0.0, 1.0);
+}
+
+void swatch(glm::dvec3& linear) {
+    float values[3], shown[3];
+    for (int i = 0; i < 3; ++i) values[i] = shown[i] = static_cast<float>(encoded(linear[i]));
+    ImGui::ColorEdit3(
+        "##swatch", values,
+        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_PickerHueWheel);
+    for (int i = 0; i < 3; ++i)
+        if (values[i] != shown[i]) linear[i] = std::clamp(decoded(static_cast<double>(values[i])), 0.0, 1.0);
+}
+
 }  // namespace
 
 bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char* tooltip_text) {
     const glm::dvec3 before = linear;
     if (row_label(label, tooltip_text)) linear = reset;
-    float shown[3];
-    for (int i = 0; i < 3; ++i) shown[i] = static_cast<float>(encoded(linear[i]));
-    float edited[3] = {shown[0], shown[1], shown[2]};
     ImGui::PushID(label);
-    ImGui::ColorEdit3("##colour", edited, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueWheel);
-    note_item(label);
-    tooltip_for_item(tooltip_text);
+    linear_fields(label, linear, tooltip_text);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    swatch(linear);
     ImGui::PopID();
-    // A channel that was not touched keeps all its digits.
-    for (int i = 0; i < 3; ++i)
-        if (edited[i] != shown[i]) linear[i] = std::clamp(decoded(static_cast<double>(edited[i])), 0.0, 1.0);
     return linear != before;
 }
 

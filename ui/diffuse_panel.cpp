@@ -14,8 +14,7 @@ constexpr const char* model_tooltip =
     "light that bounces between facets, in the metal's own colour.";
 constexpr const char* albedo_tooltip =
     "Directional albedo of the diffuse part: how much of the light that reaches it comes back, per colour. "
-    "Shown "
-    "as displayed (sRGB).";
+    "Linear values; the swatch picks as displayed.";
 
 glm::dvec3 albedo_of(const Diffuse& diffuse) {
     if (const auto* lambertian = std::get_if<LambertianDiffuse>(&diffuse)) return lambertian->albedo;

@@ -74,7 +74,7 @@ struct FresnelFields {
         return colour(
             "f0", schlick.f0, SchlickFresnel{}.f0,
             "Reflected colour when looking straight at a facet. About 0.04 (dark grey) for plastics and "
-            "glass, strong and coloured for metals. Shown as displayed (sRGB).");
+            "glass, strong and coloured for metals. Linear values; the swatch picks as displayed.");
     }
     bool operator()(DielectricFresnel& dielectric) const {
         return slider({.label = "Refraction",

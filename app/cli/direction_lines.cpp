@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <glm/glm.hpp>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,6 +22,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
 constexpr int directions_max = 2;
+constexpr double lowest = 1e-290;    // rho may grow like 1/c: below this it would overflow
 constexpr std::size_t chunks = 256;  // of a batch, for parallel work
 
 using Directions = std::array<glm::dvec3, directions_max>;
@@ -103,7 +103,7 @@ glm::dvec3 normalised(glm::dvec3 v) {
     return v / glm::length(v);
 }
 
-bool above_horizon(glm::dvec3 k) { return k.z >= std::numeric_limits<double>::min(); }
+bool above_horizon(glm::dvec3 k) { return k.z >= lowest; }
 
 void answer_lines(const LineOptions& options, const Answer& answer, const Interrupt& interrupt) {
     LineSource source(interrupt);

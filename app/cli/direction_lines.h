@@ -13,7 +13,7 @@ namespace nacre::cli {
 // The direction with length 1. Any size but 0 will do: the scaling neither overflows nor underflows.
 glm::dvec3 normalised(glm::dvec3 v);
 
-// Above the horizon by more than what division by a cosine can bear.
+// Above the horizon, and not so close to it that rho overflows.
 bool above_horizon(glm::dvec3 k);
 
 struct LineOptions {

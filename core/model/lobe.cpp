@@ -12,6 +12,8 @@ template <class... Case>
 struct Cases : Case... {
     using Case::operator()...;
 };
+template <class... Case>
+Cases(Case...) -> Cases<Case...>;
 
 std::shared_ptr<const LobeModel> make_plain_lobe(const Lobe& lobe) {
     return std::visit(Cases{[](const GaussianLobe& l) { return make_gaussian_lobe(l); },

@@ -126,8 +126,9 @@ TEST_CASE("area of GGX and Beckmann facets: normalised to <n.h> = 1 they have th
 
 TEST_CASE("P of the reference and of the tables, down to c = 1e-5 and widths from 1e-3 to 10") {
     Random random(6);
-    for (const auto& [ax, ay] :
+    for (const auto& widths :
          {std::pair{1e-3, 1e-3}, {1e-3, 0.1}, {0.05, 0.4}, {0.3, 0.3}, {1.0, 3.0}, {10.0, 10.0}}) {
+        const double ax = widths.first, ay = widths.second;
         CAPTURE(ax);
         CAPTURE(ay);
         for (const bool ggx : {true, false}) {
