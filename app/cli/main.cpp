@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -58,6 +59,11 @@ void declare_all(CLI::App& app, cli::Action& action) {
     }
 }
 
+bool is_verb(std::string_view name) {
+    const auto& verbs = cli::verbs();
+    return std::any_of(verbs.begin(), verbs.end(), [&](const cli::Verb& verb) { return verb.name == name; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -67,6 +73,8 @@ int main(int argc, char** argv) {
     cli::Action action;
     try {
         declare_all(app, action);
+        if (argc > 1 && argv[1][0] != '-' && !is_verb(argv[1]))
+            return complain(fmt::format("there is no verb {}; see nacre-cli --help", argv[1]), wrong_usage);
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         return say(app.help());

@@ -67,13 +67,7 @@ Facet LobeWalk::facet(double psi, double chi) const {
 }
 
 AlbedoRule::AlbedoRule(const FacetDistribution& distribution, bool fine)
-    : distribution_(distribution), fine_(fine) {
-    for (const PlacedLobe& placed : distribution.lobes()) {
-        std::vector<Facet> facets = placed.lobe->facets(fine ? 4096 : 256);
-        for (Facet& facet : facets) facet = {placed.frame * facet.h, placed.scale * facet.mass};
-        facets_.push_back(std::move(facets));
-    }
-}
+    : distribution_(distribution), fine_(fine), facets_(distribution.facets(fine ? 4096 : 256)) {}
 
 AlbedoValues AlbedoRule::operator()(const Shading<double>& shading, dvec3 k1, double g1, int channels) const {
     AlbedoValues sum{};

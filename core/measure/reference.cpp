@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double albedo_tolerance = 2e-7;
+constexpr double albedo_tolerance = 5e-7;
 constexpr int depth_azimuth = 20, depth_polar = 12;
 
 }  // namespace
@@ -31,11 +31,7 @@ Reference::Reference(const Design& design) : distribution_(design.distribution) 
     reads_albedo_ =
         shading_.kinds.diffuse == DiffuseKind::coupled || shading_.kinds.diffuse == DiffuseKind::metal;
     shading_.kinds.albedo = reads_albedo_;
-    for (const PlacedLobe& placed : distribution_.lobes()) {
-        std::vector<Facet> facets = placed.lobe->facets(0);
-        for (Facet& facet : facets) facet = {placed.frame * facet.h, placed.scale * facet.mass};
-        facets_.push_back(std::move(facets));
-    }
+    facets_ = distribution_.facets(0);
 }
 
 double Reference::visibility(dvec3 k) const {
@@ -72,7 +68,7 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
             if (cuts[i + 1] <= cuts[i]) continue;
             const AlbedoValues part =
                 integrate_adaptively<4>([&](double chi) { return at(walk, psi, chi); }, cuts[i], cuts[i + 1],
-                                        0.2 * albedo_tolerance, depth_polar);
+                                        0.5 * albedo_tolerance, depth_polar);
             for (std::size_t j = 0; j < inner.size(); ++j) inner[j] += part[j];
         }
         return inner;

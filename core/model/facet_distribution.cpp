@@ -75,6 +75,15 @@ Area FacetDistribution::area(dvec3 k) const {
     return sum;
 }
 
+std::vector<std::vector<Facet>> FacetDistribution::facets(std::size_t count) const {
+    std::vector<std::vector<Facet>> all;
+    for (const PlacedLobe& placed : lobes_) {
+        all.push_back(placed.lobe->facets(count));
+        for (Facet& facet : all.back()) facet = {placed.frame * facet.h, placed.scale * facet.mass};
+    }
+    return all;
+}
+
 dvec3 FacetDistribution::sample_visible(dvec3 k, Random& random) const {
     std::vector<double> part(lobes_.size());
     double total = 0;

@@ -32,6 +32,10 @@ class FacetDistribution {
 
     const std::vector<PlacedLobe>& lobes() const { return lobes_; }
 
+    // Of each lobe that has no smooth form its facets, at most `count` of them or all with 0, in the
+    // surface's frame and with their share of area; an empty list for every other lobe.
+    std::vector<std::vector<Facet>> facets(std::size_t count) const;
+
   private:
     std::vector<PlacedLobe> lobes_;
     dvec3 mean_{0};

@@ -29,8 +29,10 @@ Ring visible_ring(double sine, double cosine, double k_sine, double k_cosine) {
 // theta over a piece of p that holds no corner, mapped so that the (3/2) powers at the ends, where a ring
 // begins or ceases to be wholly visible, become smooth: x = s^3 (10 - 15 s + 6 s^2).
 template <class Visit>
-void for_each_node(double a, double b, bool many, const Visit& visit) {
-    const auto& rule = many ? gauss_legendre<10>() : gauss_legendre<32>();
+void for_each_node(double a, double b, std::size_t pieces, const Visit& visit) {
+    const auto& rule = pieces > 24  ? gauss_legendre<10>()
+                       : pieces > 5 ? gauss_legendre<16>()
+                                    : gauss_legendre<32>();
     for (const QuadraturePoint& node : rule) {
         const double s = node.x;
         const double x = s * s * s * (10 + s * (6 * s - 15));
@@ -143,10 +145,9 @@ class Isotropic : public LobeModel {
             if (chi > pieces_.front() && chi < pieces_.back()) cuts.push_back(chi);
         }
         std::sort(cuts.begin(), cuts.end());
-        const bool many = pieces_.size() > 24;
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
             if (cuts[i + 1] <= cuts[i]) continue;
-            for_each_node(cuts[i], cuts[i + 1], many, [&](double chi, double weight) {
+            for_each_node(cuts[i], cuts[i + 1], pieces_.size(), [&](double chi, double weight) {
                 const double s = stretch_ * std::sin(chi), c = std::cos(chi);
                 const double theta = std::atan2(s, c);
                 const double weighted =
@@ -187,13 +188,9 @@ class InverseGaussian final : public Isotropic {
 
 class Curve final : public Isotropic {
   public:
-    explicit Curve(const CurveLobe& lobe) {
+    explicit Curve(const CurveLobe& lobe) : data_(curve_data(lobe)) {
         std::vector<double> pieces;
-        for (const auto& [theta, value] : lobe.points) {
-            data_.push_back(static_cast<float>(theta * (pi / 180)));
-            data_.push_back(static_cast<float>(value));
-            pieces.push_back(data_[data_.size() - 2]);
-        }
+        for (std::size_t i = 0; i < data_.size(); i += 2) pieces.push_back(data_[i]);
         shading_.data = data_.data();
         set_pieces(1, std::move(pieces));
     }
@@ -241,6 +238,15 @@ std::shared_ptr<const LobeModel> make_inverse_gaussian_lobe(const InverseGaussia
 
 std::shared_ptr<const LobeModel> make_curve_lobe(const CurveLobe& lobe) {
     return std::make_shared<Curve>(lobe);
+}
+
+std::vector<float> curve_data(const CurveLobe& lobe) {
+    std::vector<float> data;
+    for (const auto& [theta, value] : lobe.points) {
+        data.push_back(static_cast<float>(theta * (pi / 180)));
+        data.push_back(static_cast<float>(value));
+    }
+    return data;
 }
 
 }  // namespace nacre

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "core/model/isotropic_lobe.h"
+
 namespace nacre {
 namespace {
 
@@ -33,15 +35,6 @@ int append(std::vector<float>& data, const std::vector<float>& values) {
     return offset;
 }
 
-int append_curve(std::vector<float>& data, const CurveLobe& curve) {
-    const int offset = static_cast<int>(data.size());
-    for (const auto& [theta, value] : curve.points) {
-        data.push_back(static_cast<float>(theta * (std::numbers::pi / 180)));
-        data.push_back(static_cast<float>(value));
-    }
-    return offset;
-}
-
 }  // namespace
 
 void describe_layers(const Distribution& distribution, const FacetDistribution& facets,
@@ -59,7 +52,7 @@ void describe_layers(const Distribution& distribution, const FacetDistribution& 
         out.axis_y = placed.frame[1];
         out.axis_z = placed.frame[2];
         if (const auto* curve = std::get_if<CurveLobe>(&layer.lobe)) {
-            out.data_offset = append_curve(data, *curve);
+            out.data_offset = append(data, curve_data(*curve));
             out.data_size = static_cast<int>(curve->points.size());
         }
         if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe)) {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -128,9 +129,13 @@ std::vector<std::vector<double>> rows(const std::string& text) {
     std::vector<std::vector<double>> result;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
         std::vector<double>& row = result.emplace_back();
-        for (double value = 0; words >> value;) row.push_back(value);
+        const char* at = line.c_str();
+        for (char* end = nullptr;; at = end) {
+            const double value = std::strtod(at, &end);
+            if (end == at) break;
+            row.push_back(value);
+        }
     }
     return result;
 }

@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 // The integral of rho c over the hemisphere, midpoints of theta and phi.
 double integrated_albedo(const std::string& design, glm::dvec3 k1) {
-    constexpr int polar = 200, azimuths = 400;
+    constexpr int polar = 160, azimuths = 240;
     std::string input;
     std::vector<double> weights;
     for (int i = 0; i < polar; ++i) {
