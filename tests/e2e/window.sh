@@ -39,17 +39,18 @@ at() { awk -v f="$2" '{ printf "%d %d", $1 + f * ($3 - $1), ($2 + $4) / 2 }' <<<
 pause() { sleep "${1:-0.3}"; }
 click() {
     xdotool mousemove "$1" "$2"
-    pause 0.15
+    pause 0.4
     xdotool mousedown 1
-    pause 0.1
+    pause 0.3
     xdotool mouseup 1
-    pause
+    pause 0.6
 }
 # drag X1 Y1 X2 Y2
 drag() {
     xdotool mousemove "$1" "$2"
-    pause 0.15
+    pause 0.4
     xdotool mousedown 1
+    pause 0.2
     for i in 1 2 3 4 5 6 7 8 9 10; do
         xdotool mousemove $(($1 + ($3 - $1) * i / 10)) $(($2 + ($4 - $2) * i / 10))
         sleep 0.03
@@ -57,6 +58,17 @@ drag() {
     pause 0.1
     xdotool mouseup 1
     pause
+}
+# chord MODIFIER KEY: held long enough for a slow frame to see it.
+chord() {
+    xdotool keydown "$1"
+    pause 0.1
+    xdotool keydown "$2"
+    pause 0.25
+    xdotool keyup "$2"
+    pause 0.1
+    xdotool keyup "$1"
+    pause 0.5
 }
 picture() { import -window root "$out/$1.png"; }
 
@@ -78,6 +90,7 @@ picture 1-start
 {
     click $(at "$presets_tab" 0.5)
     click $(at "$preset_row" 0.5)
+    pause 2
     click $(at "$layers_tab" 0.5)
     pause 1
     picture 2-preset
@@ -104,8 +117,7 @@ save_as() {
     pause
 }
 save_as "$work/edited.nacre"
-xdotool key --clearmodifiers ctrl+z
-pause
+chord ctrl z
 save_as "$work/undone.nacre"
 picture 5-undone
 
