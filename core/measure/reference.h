@@ -26,7 +26,7 @@ class Reference {
     // The design's own R, one value a colour.
     dvec3 design_albedo(const AlbedoValues& values) const;
 
-    // The BRDF, 1/sr. The constant c of eq. 28 is integrated when first needed: see set_coupling().
+    // The BRDF, 1/sr. The constant c of eq. 28 is 0 until prepare_coupling().
     Shading<double>::Direction direction(dvec3 k, std::stop_token stop = {}) const;
     const Shading<double>& shading() const { return shading_; }
 
