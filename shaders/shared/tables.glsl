@@ -8,7 +8,7 @@
 // d is what turning from n toward k uncovers: facets below the horizon that come into sight and facets
 // above it that turn away. It is >= 0, and A lies in [0, 1] and is 0 at the normal (w = 0) for every p, also one
 // with facets below the horizon; where <h> stands on n it is 1/2 at grazing (w = 1). Straight lines in w are chords of the homogeneous, convex
-// g on a meridian: they never lie below it, so that the table creates no energy, and they keep what is linear in
+// g on a meridian: they never lie below it, and they keep what is linear in
 // k exact, so that g stays accurate where k.M and d cancel. D is stored over its ellipse, D = |L e(phi)| tau(psi).
 // R also turns at the scale of the hemisphere itself (Fresnel, a lobe that is narrow one way and wide the
 // other), so its tables share their nodes between both scales:
