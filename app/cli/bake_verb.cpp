@@ -18,6 +18,14 @@ struct BakeVerbOptions {
     bool json = false;
 };
 
+nlohmann::ordered_json error_json(const TableError& error) {
+    return {{"worst", error.worst}, {"rms", error.root_mean_square}, {"directions", error.directions}};
+}
+
+nlohmann::ordered_json errors_json(const TableErrors& errors) {
+    return {{"g", error_json(errors.area)}, {"R", error_json(errors.albedo)}};
+}
+
 std::string json_summary(const WrittenTables& written, const std::string& folder) {
     const Tables& tables = *written.tables;
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
@@ -33,12 +41,9 @@ std::string json_summary(const WrittenTables& written, const std::string& folder
                                          {"table_bytes", tables.table_floats() * sizeof(float)},
                                          {"tables", std::move(files)},
                                          {"errors",
-                                          {{"g_between_nodes_worst", tables.area_error.worst},
-                                           {"g_between_nodes_rms", tables.area_error.root_mean_square},
-                                           {"g_worst", written.errors.area},
-                                           {"R_worst", written.errors.albedo},
-                                           {"g_directions", written.errors.area_directions},
-                                           {"R_directions", written.errors.albedo_directions}}}};
+                                          {{"tolerance", tables.tolerance},
+                                           {"by_the_bake", errors_json(tables.errors)},
+                                           {"against_exact", errors_json(written.errors)}}}};
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -51,9 +56,12 @@ std::string text_summary(const WrittenTables& written, const std::string& folder
     text += fmt::format("  {:<24}\n", "manifest.json");
     text += fmt::format("baked in {:.3f} s, symmetry {}\n", tables.seconds,
                         name_of(tables.plan.symmetry.symmetry));
-    text += fmt::format("worst error: g {:.1e} relative ({} directions), R {:.1e} ({} directions)\n",
-                        written.errors.area, written.errors.area_directions, written.errors.albedo,
-                        written.errors.albedo_directions);
+    const auto line = [](const char* quantity, const TableError& error) {
+        return fmt::format("  {:<24} worst {:.1e}, root mean square {:.1e}, {} directions\n", quantity,
+                           error.worst, error.root_mean_square, error.directions);
+    };
+    text += fmt::format("error against the exact reference, {:.1e} wanted:\n", tables.tolerance);
+    text += line("g, relative", written.errors.area) + line("R, absolute", written.errors.albedo);
     return text;
 }
 

@@ -87,7 +87,7 @@ std::string text_info(const Design& design, const Tables& tables) {
         text += fmt::format("  {:<20} {:>4} x {:<4} {:>8} bytes\n", name_of_table(picture), picture.size.x,
                             picture.size.y, picture.values.size() * sizeof(float));
     text += fmt::format("  baked in {:.3f} s; g is within {:.1e} between nodes\n", tables.seconds,
-                        tables.area_error.worst);
+                        tables.errors.area.worst);
     text += fmt::format("\nshader\n  {}\n\nleft out\n", fmt::join(shader_parts(design, tables), "\n  "));
     for (const Omission& omission : tables.plan.omissions)
         text += fmt::format("  {}: {}\n", omission.what, omission.why);
@@ -118,7 +118,7 @@ std::string json_info(const Design& design, const Tables& tables) {
                        {"symmetry", name_of(tables.plan.symmetry.symmetry)},
                        {"tables", std::move(pictures)},
                        {"bake_seconds", tables.seconds},
-                       {"g_error", tables.area_error.worst},
+                       {"g_error", tables.errors.area.worst},
                        {"shader", shader_parts(design, tables)},
                        {"left_out", std::move(omissions)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,8 +7,8 @@ namespace {
 
 std::string size_text(const Tables& tables) {
     const auto& plan = tables.plan;
-    const std::string nodes = plan.nodes_psi > 1 ? fmt::format("{} \u00d7 {}", plan.nodes_w, plan.nodes_psi)
-                                                 : fmt::format("{}", plan.nodes_w);
+    const std::string nodes = plan.nodes.psi > 1 ? fmt::format("{} \u00d7 {}", plan.nodes.w, plan.nodes.psi)
+                                                 : fmt::format("{}", plan.nodes.w);
     const double kilobytes = static_cast<double>(tables.table_floats() * sizeof(float)) / 1024;
     return fmt::format("{} nodes, {}, {:.1f} kB", nodes, name_of(plan.symmetry.symmetry), kilobytes);
 }
@@ -23,8 +23,8 @@ std::string tables_text(const Tables& tables) {
     const bool draft = tables.plan.quality == Quality::draft;
     std::string text =
         fmt::format("{}   {}   {}", draft ? "Draft" : "Final", size_text(tables), time_text(tables.seconds));
-    if (tables.area_error.worst > 0)
-        text += fmt::format("   g within {:.2g} %", tables.area_error.worst * 100);
+    if (tables.errors.area.worst > 0)
+        text += fmt::format("   g within {:.2g} %", tables.errors.area.worst * 100);
     return text;
 }
 

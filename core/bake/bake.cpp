@@ -16,9 +16,9 @@
 namespace nacre {
 namespace {
 
-// A final bake doubles its nodes until g is this close, relative, between them, or the tables reach the
-// limit.
-constexpr double area_tolerance = 7e-4;
+// A final bake doubles its nodes until g is closer than this part of the tolerance between them, or the
+// tables reach the limit.
+constexpr double kept_tolerance = 0.7;
 constexpr int nodes_limit = 20000;
 
 class Bake {
@@ -26,12 +26,14 @@ class Bake {
     Bake(const Design& design, const BakeOptions& options, std::stop_token stop,
          const std::function<void(double)>& progress)
         : design_(design),
+          options_(options),
           stop_(std::move(stop)),
           progress_(progress),
           arena_(options.threads > 0 ? std::min(options.threads, tbb::info::default_concurrency())
                                      : tbb::task_arena::automatic),
           tables_(std::make_shared<Tables>()) {
-        tables_->plan = plan_bake(design, {options.quality, options.albedo});
+        tables_->tolerance = options.tolerance;
+        tables_->plan = plan_bake(design, {options.quality, options.albedo, options.size});
     }
 
     std::shared_ptr<const Tables> run() {
@@ -41,9 +43,9 @@ class Bake {
         describe_material(design_, *tables_->distribution, tables_->shading);
         tables_->shading.kinds.albedo = tables_->plan.albedo;
         bake_area();
-        while (tables_->plan.quality == Quality::final && tables_->area_error.worst > area_tolerance &&
-               refine())
-            bake_area();
+        if (tables_->plan.quality == Quality::final && !options_.size) {
+            while (tables_->errors.area.worst > kept_tolerance * options_.tolerance && refine()) bake_area();
+        }
         report(0.3);
         if (tables_->plan.albedo) bake_albedo();
         describe_layers(design_.distribution, *tables_->distribution, tables_->shading, tables_->data);
@@ -74,26 +76,26 @@ class Bake {
     bool refine() {
         BakePlan& plan = tables_->plan;
         const bool along_w = plan.symmetry.symmetry == Symmetry::isotropic || error_w_ >= error_psi_;
-        const int w = along_w ? 2 * plan.nodes_w - 1 : plan.nodes_w;
-        const int psi = along_w ? plan.nodes_psi
-                                : 2 * plan.nodes_psi - (plan.symmetry.symmetry == Symmetry::none ? 0 : 1);
+        const int w = along_w ? 2 * plan.nodes.w - 1 : plan.nodes.w;
+        const int psi = along_w ? plan.nodes.psi
+                                : 2 * plan.nodes.psi - (plan.symmetry.symmetry == Symmetry::none ? 0 : 1);
         if (w * psi > nodes_limit) return false;
-        plan.nodes_w = w;
-        plan.nodes_psi = psi;
+        plan.nodes.w = w;
+        plan.nodes.psi = psi;
         return true;
     }
 
     void bake_area() {
         const BakePlan& plan = tables_->plan;
         const StretchedGrid grid(*tables_->distribution, plan);
-        const int columns = plan.nodes_w, rows = plan.nodes_psi;
+        const int columns = plan.nodes.w, rows = plan.nodes.psi;
         std::vector<float>& data = tables_->data;
         auto& shape = tables_->shading.surface.tables;
         data = grid.widths();
         shape = grid.shape();
         shape.nodes_w = columns;
-        shape.nodes_v = plan.nodes_v;
-        shape.nodes_rho = plan.nodes_rho;
+        shape.nodes_v = plan.nodes.v;
+        shape.nodes_rho = plan.nodes.rho;
         shape.width_offset = 0;
         shape.area_offset = rows;
         data.resize(static_cast<std::size_t>(rows + rows * columns));
@@ -114,25 +116,25 @@ class Bake {
 
     // Between all nodes: at the middles of both kinds of edges and at the centres of cells.
     void measure_area(const StretchedGrid& grid) {
-        const int columns = tables_->plan.nodes_w - 1, rows = std::max(1, tables_->plan.nodes_psi - 1);
+        const int columns = tables_->plan.nodes.w - 1, rows = std::max(1, tables_->plan.nodes.psi - 1);
         const int count = columns * rows;
         std::vector<dvec3> errors(static_cast<std::size_t>(count));
         for_each(count, [&](int i) {
             const double column = i % columns, row = i / columns;
             dvec3& error = errors[static_cast<std::size_t>(i)];
             error.x = error_at(grid, (column + 0.5) / columns, row);
-            if (tables_->plan.nodes_psi == 1) return;
+            if (tables_->plan.nodes.psi == 1) return;
             error.y = error_at(grid, (column + 1) / columns, row + 0.5);
             error.z = error_at(grid, (column + 0.5) / columns, row + 0.5);
         });
-        TableError& error = tables_->area_error;
-        error = {};
+        TableError& error = tables_->errors.area;
+        error = {.directions = tables_->plan.nodes.psi == 1 ? count : 3 * count};
         error_w_ = error_psi_ = 0;
         for (const dvec3& e : errors) {
             error_w_ = std::fmax(error_w_, e.x);
             error_psi_ = std::fmax(error_psi_, e.y);
             error.worst = std::fmax(error.worst, std::fmax(e.x, std::fmax(e.y, e.z)));
-            error.root_mean_square += glm::dot(e, e) / (tables_->plan.nodes_psi == 1 ? count : 3 * count);
+            error.root_mean_square += glm::dot(e, e) / error.directions;
         }
         error.root_mean_square = std::sqrt(error.root_mean_square);
     }
@@ -141,7 +143,7 @@ class Bake {
         const BakePlan& plan = tables_->plan;
         const StretchedGrid grid(*tables_->distribution, plan);
         const AlbedoRule rule(*tables_->distribution, plan.quality == Quality::final);
-        const int columns = plan.nodes_v, rows = plan.nodes_rho, size = rows * columns;
+        const int columns = plan.nodes.v, rows = plan.nodes.rho, size = rows * columns;
         const int channels = plan.fresnel_tables;
         Shading<double>& shading = tables_->shading;
         std::vector<float> albedo(static_cast<std::size_t>(size * (1 + channels)));
@@ -173,6 +175,7 @@ class Bake {
     }
 
     const Design& design_;
+    const BakeOptions options_;
     std::stop_token stop_;
     const std::function<void(double)>& progress_;
     tbb::task_arena arena_;
@@ -183,11 +186,11 @@ class Bake {
 }  // namespace
 
 std::size_t Tables::table_floats() const {
-    const std::size_t rows = static_cast<std::size_t>(plan.nodes_psi);
+    const std::size_t rows = static_cast<std::size_t>(plan.nodes.psi);
     const std::size_t albedos = plan.albedo ? 1 + static_cast<std::size_t>(plan.fresnel_tables) : 0;
     const std::size_t albedo =
-        static_cast<std::size_t>(plan.nodes_rho) * static_cast<std::size_t>(plan.nodes_v);
-    return rows * (1 + static_cast<std::size_t>(plan.nodes_w)) + albedos * albedo;
+        static_cast<std::size_t>(plan.nodes.rho) * static_cast<std::size_t>(plan.nodes.v);
+    return rows * (1 + static_cast<std::size_t>(plan.nodes.w)) + albedos * albedo;
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double exact) {

@@ -11,24 +11,24 @@ namespace {
 // that measures more than its tolerance doubles it (see bake.cpp).
 void choose_size(BakePlan& plan) {
     const bool draft = plan.quality == Quality::draft;
-    plan.nodes_w = draft ? 17 : 33;
-    plan.nodes_v = draft ? 17 : 49;
+    plan.nodes.w = draft ? 17 : 33;
+    plan.nodes.v = draft ? 17 : 49;
     switch (plan.symmetry.symmetry) {
         case Symmetry::isotropic:
-            plan.nodes_w = draft ? 33 : 129;
-            plan.nodes_v = draft ? 33 : 65;
-            plan.nodes_psi = plan.nodes_rho = 1;
+            plan.nodes.w = draft ? 33 : 129;
+            plan.nodes.v = draft ? 33 : 65;
+            plan.nodes.psi = plan.nodes.rho = 1;
             break;
         case Symmetry::quarter:
-            plan.nodes_psi = draft ? 9 : 17;
-            plan.nodes_rho = draft ? 9 : 25;
+            plan.nodes.psi = draft ? 9 : 17;
+            plan.nodes.rho = draft ? 9 : 25;
             break;
         case Symmetry::half:
-            plan.nodes_psi = draft ? 17 : 33;
-            plan.nodes_rho = draft ? 17 : 41;
+            plan.nodes.psi = draft ? 17 : 33;
+            plan.nodes.rho = draft ? 17 : 41;
             break;
         case Symmetry::none:
-            plan.nodes_psi = plan.nodes_rho = draft ? 24 : 64;
+            plan.nodes.psi = plan.nodes.rho = draft ? 24 : 64;
             break;
     }
 }
@@ -99,7 +99,11 @@ BakePlan plan_bake(const Design& design, const PlanOptions& options) {
                 break;
         }
     }
-    choose_size(plan);
+    if (options.size) {
+        plan.nodes = *options.size;
+    } else {
+        choose_size(plan);
+    }
     list_omissions(design, plan);
     return plan;
 }

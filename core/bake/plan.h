@@ -1,6 +1,7 @@
 // What a design needs of the bake and of the shader, and what it can do without.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,18 @@ struct Omission {
     std::string why;
 };
 
+// Nodes of the tables: of g along theta (w) and azimuth (psi), of R along theta (v) and azimuth (rho). One
+// azimuth for an isotropic p, two or more otherwise; two or more along theta.
+struct TableSize {
+    int w = 0, psi = 0, v = 0, rho = 0;
+
+    bool operator==(const TableSize&) const = default;
+};
+
 struct BakePlan {
     DistributionSymmetry symmetry;
     Quality quality = Quality::final;
-    int nodes_w = 0;         // along theta, for g
-    int nodes_v = 0;         // along theta, for R
-    int nodes_psi = 0;       // along azimuth, for g
-    int nodes_rho = 0;       // along azimuth, for R
+    TableSize nodes;
     bool albedo = false;     // R(k) with F = 1, and with the design's Fresnel factor
     int fresnel_tables = 0;  // 0: F = 1 alone; 1: Schlick's weight; 3: exact, a colour each
     std::vector<Omission> omissions;
@@ -31,6 +37,7 @@ struct BakePlan {
 struct PlanOptions {
     Quality quality = Quality::final;
     bool albedo = false;  // R is wanted even if no diffuse term reads it (ambient light, the `tables` verb)
+    std::optional<TableSize> size = {};  // exactly so many nodes
 };
 
 BakePlan plan_bake(const Design& design, const PlanOptions& options);

@@ -39,8 +39,8 @@ dvec2 azimuth_at_rho(double rho, dvec2 stretch) {
 StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const BakePlan& plan)
     : distribution_(distribution),
       symmetry_(plan.symmetry.symmetry),
-      nodes_psi_(plan.nodes_psi),
-      nodes_rho_(plan.nodes_rho),
+      nodes_psi_(plan.nodes.psi),
+      nodes_rho_(plan.nodes.rho),
       moment_(distribution.area({0, 0, 1}).gradient) {
     fit_ellipse(plan.symmetry);
     for (int row = 0; row < nodes_psi_; ++row) {

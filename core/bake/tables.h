@@ -10,9 +10,16 @@
 
 namespace nacre {
 
+// Of one quantity over so many directions; 0 directions: not measured.
 struct TableError {
     double worst = 0;
     double root_mean_square = 0;
+    int directions = 0;
+};
+
+struct TableErrors {
+    TableError area;    // of g, relative: see area_error()
+    TableError albedo;  // of R, absolute: with F = 1 and with each Fresnel factor that is baked
 };
 
 // Immutable once baked; shared between threads by shared_ptr<const Tables>. The layout of `data` is that of
@@ -29,7 +36,8 @@ struct Tables {
 
     dvec3 mean{0};           // H = <h>, p normalised to 1
     double mean_albedo = 0;  // (1/pi) integral of R cos dk with F = 1, of the interpolant; 0 without R
-    TableError area_error;   // relative error of g, measured against p itself on directions between nodes
+    double tolerance = 0;    // that the bake was asked for
+    TableErrors errors;      // measured by the bake, on directions between nodes
     double seconds = 0;
 
     std::size_t table_floats() const;  // of `data`: the tables without curves and pictures

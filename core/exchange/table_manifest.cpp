@@ -225,6 +225,10 @@ Json pictures_json(const std::vector<TablePicture>& pictures) {
     return list;
 }
 
+Json error_json(const TableError& error) {
+    return {{"worst", error.worst}, {"rms", error.root_mean_square}, {"directions", error.directions}};
+}
+
 }  // namespace
 
 std::string layer_picture_file(int layer, const std::string& kind) {
@@ -262,13 +266,9 @@ std::string table_manifest(const Design& design, const Tables& tables,
     json["units"] =
         "g, tau, q: areas per area of facets; S, R and P: parts of 1; angles in radians unless said; colours "
         "linear Rec. 709";
-    json["error"] = {{"g", errors.area},
-                     {"g_is", "worst |g - exact|/max(exact, N z (clamp), q/20)"},
-                     {"R", errors.albedo},
-                     {"R_is", "worst |R - exact|"},
-                     {"g_directions", errors.area_directions},
-                     {"R_directions", errors.albedo_directions},
-                     {"against", "adaptive integration in double"}};
+    json["error"] = {{"g", error_json(errors.area)},   {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},
+                     {"R", error_json(errors.albedo)}, {"R_is", "|R - exact|"},
+                     {"tolerance", tables.tolerance},  {"against", "adaptive integration in double"}};
     json["bake_seconds"] = tables.seconds;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -123,11 +123,11 @@ class PhysicsCheckRun {
 
     void check_tables() {
         const TableErrors errors = measure_table_errors(*tables_, reference_, stop_);
-        add("table of g", errors.area, area_tolerance, verdict(errors.area <= area_tolerance),
-            fmt::format("worst error of g, {} directions", errors.area_directions));
-        add("tables of R", errors.albedo, albedo_table_tolerance,
-            verdict(errors.albedo <= albedo_table_tolerance),
-            fmt::format("worst error, {} directions", errors.albedo_directions));
+        add("table of g", errors.area.worst, area_tolerance, verdict(errors.area.worst <= area_tolerance),
+            fmt::format("worst error of g, {} directions", errors.area.directions));
+        add("tables of R", errors.albedo.worst, albedo_table_tolerance,
+            verdict(errors.albedo.worst <= albedo_table_tolerance),
+            fmt::format("worst error, {} directions", errors.albedo.directions));
     }
 
     void check_sampling() {

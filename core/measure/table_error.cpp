@@ -14,7 +14,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double grazing = 1e-5;  // the smallest c
-constexpr int area_directions = 200, albedo_directions = 8;
 
 double albedo_error(const Tables& tables, const Reference& reference, dvec3 k, const std::stop_token& stop) {
     const Shading<double>& shading = tables.shading;
@@ -48,20 +47,32 @@ std::vector<dvec3> probe_directions(int count) {
     return directions;
 }
 
-TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop) {
-    TableErrors worst{.area_directions = area_directions, .albedo_directions = 0};
-    for (const dvec3 k : probe_directions(area_directions))
-        worst.area = std::fmax(worst.area, area_error(tables.shading, k, reference.projected_area(k)));
-    if (!tables.plan.albedo) return worst;
-    worst.albedo_directions = albedo_directions;
-    const std::vector<dvec3> probes = probe_directions(albedo_directions);
-    std::vector<double> errors(probes.size());
+TableError summarise(const std::vector<double>& errors) {
+    TableError error{.directions = static_cast<int>(errors.size())};
+    for (const double e : errors) {
+        error.worst = std::fmax(error.worst, e);
+        error.root_mean_square += e * e / error.directions;
+    }
+    error.root_mean_square = std::sqrt(error.root_mean_square);
+    return error;
+}
+
+TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop,
+                                 const ProbeCounts& counts) {
+    TableErrors result;
+    std::vector<double> errors;
+    for (const dvec3 k : probe_directions(counts.area))
+        errors.push_back(area_error(tables.shading, k, reference.projected_area(k)));
+    result.area = summarise(errors);
+    if (!tables.plan.albedo) return result;
+    const std::vector<dvec3> probes = probe_directions(counts.albedo);
+    errors.assign(probes.size(), 0);
     tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t i) {
         if (stop.stop_requested()) throw BakeCancelled();
         errors[i] = albedo_error(tables, reference, probes[i], stop);
     });
-    worst.albedo = *std::max_element(errors.begin(), errors.end());
-    return worst;
+    result.albedo = summarise(errors);
+    return result;
 }
 
 }  // namespace nacre

@@ -9,18 +9,20 @@
 
 namespace nacre {
 
-struct TableErrors {
-    double area = 0;    // worst of area_error(), bake/tables.h
-    double albedo = 0;  // worst of |R - exact|, each Fresnel factor; 0 without R
-    int area_directions = 0;
-    int albedo_directions = 0;
-};
-
 // Directions over the hemisphere, c from 1 down to 1e-5, azimuths that no table's row stands on.
 std::vector<dvec3> probe_directions(int count);
 
-// `reference` is that of the same design. g costs little, an R that is exact up to a second: hence two
-// counts. Throws BakeCancelled when stopped.
-TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop = {});
+struct ProbeCounts {
+    int area = 200;
+    int albedo = 8;  // an R that is exact may take a second
+};
+
+// Against the exact g and R; `reference` is that of the same design. Without baked R that is not measured.
+// Throws BakeCancelled when stopped.
+TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop = {},
+                                 const ProbeCounts& probes = {});
+
+// Worst and root mean square.
+TableError summarise(const std::vector<double>& errors);
 
 }  // namespace nacre

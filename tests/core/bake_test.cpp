@@ -81,7 +81,7 @@ TEST_CASE("the measured error of g is the error that other directions see") {
             const double g = tables->shading.projected_area(k, tables->shading.table_spot(k));
             worst = std::fmax(worst, std::fabs(g / p.area(k).g - 1));
         }
-        CHECK(worst < 1.5 * tables->area_error.worst + 1e-6);
+        CHECK(worst < 1.5 * tables->errors.area.worst + 1e-6);
         CHECK(worst < 1e-3);
     }
 }
