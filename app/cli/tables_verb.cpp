@@ -56,9 +56,10 @@ Row read_tables(const Tables& tables, dvec3 k) {
     Row row;
     row.g = shading.projected_area(k, spot);
     row.P = visibility(shading, k, row.g);
-    const double full = shading.full_albedo(spot), kept = shading.clamped_part(k, row.g);
+    const auto albedo = shading.albedo_spot(k, spot);
+    const double full = shading.full_albedo(albedo), kept = shading.clamped_part(k, row.g);
     row.R1 = full * kept;
-    row.R0 = shading.fresnel_albedo(spot, full, Shading<double>::schlick_weight(k.z), 0) * kept;
+    row.R0 = shading.fresnel_albedo(albedo, full, Shading<double>::schlick_weight(k.z), 0) * kept;
     return row;
 }
 

@@ -102,7 +102,7 @@ class Bake {
         for_each(rows * columns, [&](int i) {
             const double w = static_cast<double>(i % columns) / (columns - 1);
             const int row = i / columns;
-            const double g = tables_->distribution->area(grid.area_direction(w, row)).g;
+            const double g = tables_->distribution->projected_area(grid.area_direction(w, row));
             data[static_cast<std::size_t>(rows + i)] = static_cast<float>(grid.shape_value(w, row, g));
         });
         tables_->shading.data = data.data();
@@ -111,7 +111,7 @@ class Bake {
 
     double error_at(const StretchedGrid& grid, double w, double row) const {
         const dvec3 k = grid.area_direction(w, row);
-        return area_error(tables_->shading, k, tables_->distribution->area(k).g);
+        return area_error(tables_->shading, k, tables_->distribution->projected_area(k));
     }
 
     // Between all nodes: at the middles of both kinds of edges and at the centres of cells.
@@ -150,7 +150,7 @@ class Bake {
         for (int row = 0; row < rows; ++row) {
             for_each(columns, [&](int column) {
                 const dvec3 k = grid.albedo_direction(static_cast<double>(column) / (columns - 1), row);
-                const double g = tables_->distribution->area(k).g;
+                const double g = tables_->distribution->projected_area(k);
                 AlbedoValues values = rule(shading, k, g, channels);
                 const double kept = shading.clamped_part(k, g);
                 for (double& value : values) value = kept > 0 ? value / kept : 0;

@@ -45,7 +45,7 @@ std::optional<BrdfSample> Brdf::sample(dvec3 k1, Random& random) const {
         const double phi = 2 * std::numbers::pi * uniform_random(random);
         k2 = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - radius * radius)};
     } else {
-        if (tables_->distribution->area(k1).g <= 0) return {};
+        if (tables_->distribution->projected_area(k1) <= 0) return {};
         const dvec3 h = tables_->distribution->sample_visible(k1, random);
         k2 = glm::normalize(2 * glm::dot(k1, h) * h - k1);
     }

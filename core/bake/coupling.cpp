@@ -20,8 +20,9 @@ constexpr double nothing_left = 1e-9;
 Integrals integrand(const Shading<double>& shading, dvec3 k) {
     const auto spot = shading.table_spot(k);
     const double g = shading.projected_area(k, spot);
-    const dvec3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, spot)});
-    return {shading.full_albedo(spot) * shading.clamped_part(k, g), share.x, share.y, share.z};
+    const auto albedo = shading.albedo_spot(k, spot);
+    const dvec3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
+    return {shading.full_albedo(albedo) * shading.clamped_part(k, g), share.x, share.y, share.z};
 }
 
 // Over theta at one azimuth, cell by cell of the table, cos sin dtheta.
@@ -52,7 +53,7 @@ Integrals integrate_meridian(const Shading<double>& shading, double phi) {
 std::vector<double> row_azimuths(const Shading<double>& shading) {
     const auto& shape = shading.surface.tables;
     const bool full = shape.symmetry == Shading<double>::SYMMETRY_NONE;
-    const double range = shape.symmetry == Shading<double>::SYMMETRY_QUARTER ? pi / 2 : full ? 2 * pi : pi;
+    const double range = shape.symmetry == Shading<double>::SYMMETRY_QUARTER ? 1 : full ? 4 : 2;
     const int cells = full ? shape.nodes_rho : shape.nodes_rho - 1;
     const double axis = std::atan2(shape.axis.y, shape.axis.x);
     std::vector<double> azimuths;

@@ -21,19 +21,47 @@ double cotangent_at_v(double v, double a) {
     return b >= 0 ? (b + root) / (2 * v) : 2 * (1 - v) * a / (root - b);
 }
 
-// psi + phi = 2 rho and tan(psi) = r tan(phi), r = Ly/Lx, within one quadrant:
-//   r sin(2 rho) t^2 + (1 + r) cos(2 rho) t - sin(2 rho) = 0,  t = tan(phi) >= 0.
+namespace {
+
+// The inverse of quarter_turns(): t of the cubic t (6 - t^2)/5 = u is 2 r sin(a), r^2 = 2, sin(3 a) = 5/2
+// u/r^3.
+dvec2 direction_at(double turns) {
+    const double quarter = std::floor(turns);
+    const double u = 2 * (turns - quarter) - 1;
+    const double r = std::numbers::sqrt2;
+    const double t = 2 * r * std::sin(std::asin(std::clamp(2.5 * u / (r * r * r), -1.0, 1.0)) / 3);
+    const dvec2 e = glm::normalize(dvec2{1 - t, 1 + t});
+    switch (static_cast<int>(quarter) % 4) {
+        case 0:
+            return e;
+        case 1:
+            return {-e.y, e.x};
+        case 2:
+            return {-e.x, -e.y};
+        default:
+            return {e.y, -e.x};
+    }
+}
+
+}  // namespace
+
+dvec2 azimuth_at_psi(double psi, dvec2 stretch) {
+    const dvec2 e = direction_at(psi);
+    return glm::normalize(dvec2{e.x * stretch.y, e.y * stretch.x});
+}
+
+// Halves the interval of phi, in quarter turns; psi rises with phi within every quarter.
 dvec2 azimuth_at_rho(double rho, dvec2 stretch) {
-    const double quadrant = std::floor(rho / (0.5 * pi));
-    const bool swapped = static_cast<int>(quadrant) % 2 != 0;
-    const double within = rho - quadrant * (0.5 * pi);
-    const double r = swapped ? stretch.x / stretch.y : stretch.y / stretch.x;
-    const double s = std::sin(2 * within), c = (1 + r) * std::cos(2 * within);
-    const double root = std::sqrt(c * c + 4 * r * s * s);
-    const dvec2 e = glm::normalize(c > 0 ? dvec2{c + root, 2 * s} : dvec2{2 * r * s, root - c});
-    const double turn = quadrant * (0.5 * pi);
-    const dvec2 q{std::round(std::cos(turn)), std::round(std::sin(turn))};
-    return {q.x * e.x - q.y * e.y, q.y * e.x + q.x * e.y};
+    const double quarter = std::floor(rho);
+    if (rho == quarter) return direction_at(rho);
+    double low = quarter, high = quarter + 1;
+    for (int i = 0; i < 60; ++i) {
+        const double phi = 0.5 * (low + high);
+        const dvec2 e = stretch * direction_at(phi);
+        const double psi = Shading<double>::quarter_turns(e.x, e.y);
+        (0.5 * (psi + phi) < rho ? low : high) = phi;
+    }
+    return direction_at(0.5 * (low + high));
 }
 
 StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const BakePlan& plan)
@@ -60,7 +88,7 @@ StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const BakePl
 // coordinates smooth for a p that leans to one side, where one of the two all but vanishes.
 double StretchedGrid::width(double phi) const {
     const dvec3 k{std::cos(phi), std::sin(phi), 0};
-    const double both = distribution_.area(k).g + distribution_.area(-k).g;
+    const double both = distribution_.projected_area(k) + distribution_.projected_area(-k);
     return std::fmax(0.5 * both, smallest_width * moment_.z);
 }
 
@@ -90,16 +118,16 @@ void StretchedGrid::fit_ellipse(const DistributionSymmetry& symmetry) {
         symmetry_ == Symmetry::isotropic ? dvec2{width(axis)} : dvec2{width(axis), width(axis + pi / 2)};
 }
 
-double StretchedGrid::row_angle(double row, int nodes) const {
+double StretchedGrid::row_turns(double row, int nodes) const {
     switch (symmetry_) {
         case Symmetry::isotropic:
             break;
         case Symmetry::quarter:
-            return 0.5 * pi * row / (nodes - 1);
+            return row / (nodes - 1);
         case Symmetry::half:
-            return pi * row / (nodes - 1);
+            return 2 * row / (nodes - 1);
         case Symmetry::none:
-            return 2 * pi * row / nodes;
+            return 4 * row / nodes;
     }
     return 0;
 }
@@ -109,12 +137,11 @@ dvec2 StretchedGrid::turned(dvec2 e) const {
 }
 
 dvec2 StretchedGrid::area_azimuth(double row) const {
-    const double psi = row_angle(row, nodes_psi_);
-    return turned(glm::normalize(dvec2{std::cos(psi) * stretch_.y, std::sin(psi) * stretch_.x}));
+    return turned(azimuth_at_psi(row_turns(row, nodes_psi_), stretch_));
 }
 
 dvec2 StretchedGrid::albedo_azimuth(double row) const {
-    return turned(azimuth_at_rho(row_angle(row, nodes_rho_), stretch_));
+    return turned(azimuth_at_rho(row_turns(row, nodes_rho_), stretch_));
 }
 
 double StretchedGrid::ellipse(dvec2 e) const {

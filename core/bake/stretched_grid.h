@@ -11,7 +11,8 @@ namespace nacre {
 // cot(theta) at v in (0, 1], a = 2 D/Mz.
 double cotangent_at_v(double v, double a);
 
-// cos and sin of phi, from the tables' axis, at rho in [0, 2 pi].
+// cos and sin of phi, from the tables' axis, at psi or at rho, both in quarter turns, [0, 4].
+dvec2 azimuth_at_psi(double psi, dvec2 stretch);
 dvec2 azimuth_at_rho(double rho, dvec2 stretch);
 
 class StretchedGrid {
@@ -36,7 +37,7 @@ class StretchedGrid {
   private:
     double width(double phi) const;
     void fit_ellipse(const DistributionSymmetry& symmetry);
-    double row_angle(double row, int nodes) const;  // psi or rho at a row
+    double row_turns(double row, int nodes) const;  // psi or rho at a row, quarter turns
     dvec2 area_azimuth(double row) const;           // cos and sin of phi
     dvec2 albedo_azimuth(double row) const;
     dvec2 turned(dvec2 azimuth) const;          // from the axis to the surface's frame

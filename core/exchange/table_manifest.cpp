@@ -93,7 +93,7 @@ const char* fold_rule(Symmetry symmetry) {
         case Symmetry::half:
             return "replace y' by |y'|";
         case Symmetry::none:
-            return "x' and y' as they are; add 2 pi to a negative psi or rho";
+            return "x' and y' as they are";
     }
     return "";
 }
@@ -103,11 +103,11 @@ const char* row_rule(Symmetry symmetry) {
         case Symmetry::isotropic:
             return "there is but row 0";
         case Symmetry::quarter:
-            return "row j stands at j/(n-1) * pi/2";
+            return "row j stands at j/(n-1)";
         case Symmetry::half:
-            return "row j stands at j/(n-1) * pi";
+            return "row j stands at j/(n-1) * 2";
         case Symmetry::none:
-            return "row j stands at j/n * 2 pi; row n is row 0 again";
+            return "row j stands at j/n * 4; row n is row 0 again";
     }
     return "";
 }
@@ -118,13 +118,16 @@ Json evaluation_json(const Tables& tables) {
         "k = (x, y, z): unit vector away from the surface, z = k.normal >= 0, x = k.tangent, y = k.bitangent",
         "x' = axis[0] x + axis[1] y; y' = axis[0] y - axis[1] x",
         fmt::format("fold: {}", fold_rule(symmetry)),
-        "along = stretch[0] x'; across = stretch[1] y'; psi = atan2(across, along)",
+        "along = stretch[0] x'; across = stretch[1] y'; psi = turns(along, across)",
+        "turns(a, b), an azimuth in quarter turns: t = (|b| - |a|)/(|a| + |b|), -1 at 0/0; u = 1/2 + t (6 - "
+        "t^2)/10; "
+        "2 - u in its place where a < 0; then 4 minus it where b < 0",
         "q = sqrt(along^2 + across^2) tau(psi)",
         "w = 2 q/(z moment[2] + 2 q); 0 where the denominator is 0",
-        "g = max(0, k.moment + (z moment[2] + 2 q) S(w, psi))",
+        "g = max(0, k.moment + (z moment[2] + 2 q) A(w, psi))",
         "P = N z/g; with clamp P = min(1, N z/g)"};
     if (tables.plan.albedo) {
-        steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + atan2(y', x'))/2");
+        steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + turns(x', y'))/2");
         steps.push_back("kept = min(1, g/(N z)) with clamp (1 at z = 0), 1 without");
         steps.push_back(
             "R1 = max(0, albedo(v, rho)) kept: the directional albedo of the specular term with F = 1");
@@ -264,7 +267,8 @@ std::string table_manifest(const Design& design, const Tables& tables,
          "corners.exr holds "
          "1 in the first line's first texel, 2 in its last, 3 and 4 in the last line's first and last"}};
     json["units"] =
-        "g, tau, q: areas per area of facets; S, R and P: parts of 1; angles in radians unless said; colours "
+        "g, tau, q: areas per area of facets; S, R and P: parts of 1; psi and rho in quarter turns, other "
+        "angles in radians unless said; colours "
         "linear Rec. 709";
     json["error"] = {{"g", error_json(errors.area)},   {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},
                      {"R", error_json(errors.albedo)}, {"R_is", "|R - exact|"},

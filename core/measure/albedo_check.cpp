@@ -33,7 +33,7 @@ AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std
     tbb::parallel_for(0, polar * azimuths, [&](int i) {
         if (stop.stop_requested()) throw BakeCancelled();
         const dvec3 k = direction(i);
-        double value = rule(tables.shading, k, tables.distribution->area(k).g, 0)[0];
+        double value = rule(tables.shading, k, tables.distribution->projected_area(k), 0)[0];
         if (std::fabs(value - 1) < rule_error) value = reference.albedo(k, stop)[0];
         values[static_cast<std::size_t>(i)] = value;
     });

@@ -73,7 +73,7 @@ class PhysicsCheckRun {
         tbb::parallel_for(std::size_t{0}, directions.size(), [&](std::size_t i) {
             const FacetIntegral integral =
                 integrate_facets(design_.distribution, distribution, directions[i], stop_);
-            const double g = distribution.area(directions[i]).g;
+            const double g = distribution.projected_area(directions[i]);
             whole[i] = std::fabs(integral.whole - 1);
             visible[i] = g > 0 ? std::fabs(integral.visible / g - 1) : integral.visible;
         });

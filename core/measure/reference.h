@@ -16,7 +16,7 @@ class Reference {
     explicit Reference(const Design& design);
 
     // g and P = N c/g (min(1, .) under clamp), relative error below 1e-9.
-    double projected_area(dvec3 k) const { return distribution_.area(k).g; }
+    double projected_area(dvec3 k) const { return distribution_.projected_area(k); }
     double visibility(dvec3 k) const;
 
     // R with F = 1, then with Schlick's weight (f0 = 0), or with the design's exact F in three colours;

@@ -18,14 +18,15 @@ constexpr double grazing = 1e-5;  // the smallest c
 double albedo_error(const Tables& tables, const Reference& reference, dvec3 k, const std::stop_token& stop) {
     const Shading<double>& shading = tables.shading;
     const auto spot = shading.table_spot(k);
+    const auto albedo = shading.albedo_spot(k, spot);
     const AlbedoValues truth = reference.albedo(k, stop);
-    const double full = shading.full_albedo(spot),
+    const double full = shading.full_albedo(albedo),
                  kept = shading.clamped_part(k, shading.projected_area(k, spot));
     double error = std::fabs(full * kept - truth[0]);
     const int channels = tables.plan.fresnel_tables;
     const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
     for (int c = 0; c < channels; ++c)
-        error = std::fmax(error, std::fabs(shading.fresnel_albedo(spot, full, f[c], c) * kept -
+        error = std::fmax(error, std::fabs(shading.fresnel_albedo(albedo, full, f[c], c) * kept -
                                            truth[static_cast<std::size_t>(c + 1)]));
     return error;
 }

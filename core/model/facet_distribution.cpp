@@ -75,6 +75,13 @@ Area FacetDistribution::area(dvec3 k) const {
     return sum;
 }
 
+double FacetDistribution::projected_area(dvec3 k) const {
+    double sum = 0;
+    for (const PlacedLobe& placed : lobes_)
+        sum += placed.scale * placed.lobe->projected_area(glm::transpose(placed.frame) * k);
+    return sum;
+}
+
 std::vector<std::vector<Facet>> FacetDistribution::facets(std::size_t count) const {
     std::vector<std::vector<Facet>> all;
     for (const PlacedLobe& placed : lobes_) {
@@ -88,7 +95,8 @@ dvec3 FacetDistribution::sample_visible(dvec3 k, Random& random) const {
     std::vector<double> part(lobes_.size());
     double total = 0;
     for (std::size_t i = 0; i < lobes_.size(); ++i)
-        total += part[i] = lobes_[i].scale * lobes_[i].lobe->area(glm::transpose(lobes_[i].frame) * k).g;
+        total += part[i] =
+            lobes_[i].scale * lobes_[i].lobe->projected_area(glm::transpose(lobes_[i].frame) * k);
     double left = uniform_random(random) * total;
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < lobes_.size(); ++i) {

@@ -24,6 +24,7 @@ class FacetDistribution {
 
     double density(dvec3 h) const;  // per steradian
     Area area(dvec3 k) const;
+    double projected_area(dvec3 k) const;           // area(k).g
     dvec3 mean() const { return mean_; }            // H = <h>
     double mean_cosine() const { return mean_.z; }  // N = <n.h>, without mean_cosine_scale
 

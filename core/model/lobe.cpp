@@ -33,7 +33,7 @@ dvec3 LobeModel::mean() const {
     for (int i = 0; i < 3; ++i) {
         dvec3 k{0};
         k[i] = 1;
-        sum[i] = area(k).g - area(-k).g;
+        sum[i] = projected_area(k) - projected_area(-k);
     }
     return sum;
 }

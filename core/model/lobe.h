@@ -52,6 +52,9 @@ class LobeModel {
 
     virtual Area area(dvec3 k) const = 0;
 
+    // g alone.
+    virtual double projected_area(dvec3 k) const { return area(k).g; }
+
     // Mean direction <h> (not divided by the mass), from g(k) - g(-k) = k . <h>.
     virtual dvec3 mean() const;
 

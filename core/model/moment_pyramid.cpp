@@ -1,105 +1,153 @@
 #include "core/model/moment_pyramid.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <queue>
+
+#include "core/model/pyramid_tile.h"
 
 namespace nacre {
 namespace {
 
-// Every second bit of a Morton index: the column; of index / 2: the row.
-std::uint32_t every_second_bit(std::uint64_t index) {
-    std::uint32_t result = 0;
-    for (int bit = 0; bit < 16; ++bit) result |= static_cast<std::uint32_t>((index >> (2 * bit)) & 1) << bit;
-    return result;
+// Facets a side of a tile. A dab touches a few tiles, and the tiles of a raster fill a few blocks.
+constexpr int tile_side_most = 64;
+
+// A cell waiting to be parted: a node of a tile, or a facet of one of its leaves.
+struct OpenCell {
+    double error;  // mass times the square of the ball's radius
+    std::size_t tile;
+    std::size_t node;
+    dvec3 moment;
+
+    bool operator<(const OpenCell& other) const {
+        if (error != other.error) return error < other.error;
+        return tile != other.tile ? tile > other.tile : node > other.node;
+    }
+};
+
+std::size_t draw(const std::vector<double>& part, Random& random) {
+    double total = 0;
+    for (const double p : part) total += p;
+    double left = uniform_random(random) * total;
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        if (part[i] > 0) chosen = i;
+        if (left < part[i]) break;
+        left -= part[i];
+    }
+    return chosen;
+}
+
+std::shared_ptr<const PyramidTile> tile_of(int row, int column, int side,
+                                           const MomentPyramid::FacetAt& facet_at) {
+    std::vector<Facet> facets(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        facets[i] = facet_at(row + morton_row(i), column + morton_column(i));
+    return std::make_shared<const PyramidTile>(make_tile(facets));
 }
 
 }  // namespace
 
-MomentPyramid::MomentPyramid(int side, const std::vector<Facet>& facets) : side_(side) {
-    const std::size_t leaves = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-    first_leaf_ = (leaves - 1) / 3;
-    nodes_.resize(first_leaf_ + leaves);
-    for (std::size_t i = 0; i < leaves; ++i) {
-        const std::size_t row = every_second_bit(i >> 1), column = every_second_bit(i);
-        const Facet& facet = facets[row * static_cast<std::size_t>(side) + column];
-        if (facet.mass <= 0) continue;
-        nodes_[first_leaf_ + i] = {facet.mass * facet.h, facet.h, 0};
-        mass_ += facet.mass;
-    }
-    for (std::size_t i = first_leaf_; i-- > 0;) {
-        Node& node = nodes_[i];
-        double kept = 0;
-        for (std::size_t c = 4 * i + 1; c <= 4 * i + 4; ++c) {
-            if (nodes_[c].radius < 0) continue;
-            node.moment += nodes_[c].moment;
-            node.centre += nodes_[c].centre;
-            kept += 1;
-        }
-        if (kept == 0) continue;
-        node.centre /= kept;
-        for (std::size_t c = 4 * i + 1; c <= 4 * i + 4; ++c) {
-            if (nodes_[c].radius < 0) continue;
-            node.radius =
-                std::max(node.radius, glm::length(nodes_[c].centre - node.centre) + nodes_[c].radius);
-        }
-    }
+MomentPyramid::MomentPyramid(int side, const FacetAt& facet_at)
+    : side_(side), tile_side_(std::min(side, tile_side_most)), tiles_(side / tile_side_) {
+    top_.tiles.resize(static_cast<std::size_t>(tiles_) * static_cast<std::size_t>(tiles_));
+    tbb::parallel_for(0, tiles_ * tiles_, [&](int i) {
+        top_.tiles[static_cast<std::size_t>(i)] =
+            tile_of(i / tiles_ * tile_side_, i % tiles_ * tile_side_, tile_side_, facet_at);
+    });
+    add_up();
 }
 
-void MomentPyramid::add(std::size_t index, dvec3 k, Area& sum) const {
-    const Node& node = nodes_[index];
-    if (node.radius < 0) return;
-    const double distance = glm::dot(k, node.centre);
-    if (distance <= -node.radius) return;
-    if (distance >= node.radius || is_leaf(index)) {
-        sum.g += glm::dot(k, node.moment);
-        sum.gradient += node.moment;
-        return;
-    }
-    for (std::size_t c = 4 * index + 1; c <= 4 * index + 4; ++c) add(c, k, sum);
+MomentPyramid MomentPyramid::changed(const Part& part, const FacetAt& facet_at) const {
+    MomentPyramid result = *this;
+    for (int row = part.row_begin / tile_side_; row * tile_side_ < part.row_end; ++row)
+        for (int column = part.column_begin / tile_side_; column * tile_side_ < part.column_end; ++column)
+            result.top_.tiles[static_cast<std::size_t>(row * tiles_ + column)] =
+                tile_of(row * tile_side_, column * tile_side_, tile_side_, facet_at);
+    result.add_up();
+    return result;
 }
 
-Area MomentPyramid::area(dvec3 k) const {
-    Area sum;
-    add(0, k, sum);
-    sum.g = std::max(sum.g, 0.0);
-    return sum;
+void MomentPyramid::add_up() {
+    const std::size_t blocks = (top_.tiles.size() + 3) / 4;
+    top_.moments.assign(blocks, {});
+    top_.balls.assign(blocks, {});
+    mass_ = 0;
+    mean_ = dvec3{0};
+    for (std::size_t i = 0; i < 4 * blocks; ++i) {
+        const PyramidCell cell = i < top_.tiles.size() ? top_.tiles[i]->root : PyramidCell{};
+        put_cell(cell, i % 4, top_.moments[i / 4], top_.balls[i / 4]);
+        if (i >= top_.tiles.size()) continue;
+        mass_ += top_.tiles[i]->mass;
+        mean_ += cell.moment;
+    }
 }
 
 std::vector<Facet> MomentPyramid::facets(std::size_t count) const {
-    std::size_t begin = first_leaf_, end = nodes_.size();
-    while (count > 0 && end - begin > count && begin > 0) {
-        end = begin;
-        begin = (begin - 1) / 4;
-    }
     std::vector<Facet> result;
-    for (std::size_t i = begin; i < end; ++i) {
-        const double length = glm::length(nodes_[i].moment);
-        if (nodes_[i].radius >= 0 && length > 0) result.push_back({nodes_[i].moment / length, length});
+    auto add = [&](dvec3 moment) {
+        const double length = glm::length(moment);
+        if (length > 0) result.push_back({moment / length, length});
+    };
+    if (count == 0) {
+        for (const auto& tile : top_.tiles)
+            for (const LeafBlock& leaf : tile->leaves)
+                for (std::size_t i = 0; i < 16; ++i) add(moment_at(leaf, i));
+        return result;
     }
+    std::priority_queue<OpenCell> open;
+    auto wait = [&](dvec3 moment, double radius, std::size_t tile, std::size_t node) {
+        const double mass = glm::length(moment);
+        if (mass > 0) open.push({mass * radius * radius, tile, node, moment});
+    };
+    for (std::size_t i = 0; i < top_.tiles.size(); ++i)
+        wait(top_.tiles[i]->root.moment, top_.tiles[i]->root.radius, i, 0);
+    while (!open.empty() && open.top().error > 0) {
+        const OpenCell cell = open.top();
+        const PyramidTile& tile = *top_.tiles[cell.tile];
+        const bool leaf = cell.node >= tile.balls.size();
+        if (open.size() + (leaf ? 15 : 3) > count) break;
+        open.pop();
+        for (std::size_t c = 0; c < (leaf ? 16 : 4); ++c) {
+            if (leaf) {
+                wait(moment_at(tile.leaves[cell.node - tile.balls.size()], c), 0, cell.tile,
+                     16 * cell.node + c);
+            } else {
+                wait(moment_at(tile.moments[cell.node], c),
+                     static_cast<double>(tile.balls[cell.node].radius[c]), cell.tile, 4 * cell.node + 1 + c);
+            }
+        }
+    }
+    for (; !open.empty(); open.pop()) add(open.top().moment);
     return result;
 }
 
 std::size_t MomentPyramid::sample_visible(dvec3 k, Random& random) const {
-    std::size_t index = 0;
-    while (!is_leaf(index)) {
-        double part[4];
-        double total = 0;
-        for (std::size_t c = 0; c < 4; ++c) {
-            Area sum;
-            add(4 * index + 1 + c, k, sum);
-            total += part[c] = std::max(sum.g, 0.0);
-        }
-        double left = uniform_random(random) * total;
-        std::size_t chosen = 3;
-        for (std::size_t c = 0; c < 4; ++c) {
-            if (part[c] > 0) chosen = c;
-            if (left < part[c]) break;
-            left -= part[c];
-        }
-        index = 4 * index + 1 + chosen;
+    std::vector<double> parts;
+    for (const auto& tile : top_.tiles)
+        parts.push_back(tile->root.radius < 0 || glm::dot(k, tile->root.centre) <= -tile->root.radius
+                            ? 0
+                            : sum_visible_area(*tile, 0, k));
+    const std::size_t chosen = draw(parts, random);
+    const PyramidTile& tile = *top_.tiles[chosen];
+    const std::size_t inner = tile.balls.size();
+    std::size_t node = 0, index = 0;
+    while (node < inner) {
+        parts.resize(4);
+        for (std::size_t c = 0; c < 4; ++c) parts[c] = sum_visible_area(tile, 4 * node + 1 + c, k);
+        const std::size_t child = draw(parts, random);
+        index = 4 * index + child;
+        node = 4 * node + 1 + child;
     }
-    const std::size_t leaf = index - first_leaf_;
-    return every_second_bit(leaf >> 1) * static_cast<std::size_t>(side_) + every_second_bit(leaf);
+    parts.resize(16);
+    for (std::size_t i = 0; i < 16; ++i)
+        parts[i] = std::max(glm::dot(k, moment_at(tile.leaves[node - inner], i)), 0.0);
+    index = 16 * index + draw(parts, random);
+    const int row = static_cast<int>(chosen) / tiles_ * tile_side_ + morton_row(index);
+    const int column = static_cast<int>(chosen) % tiles_ * tile_side_ + morton_column(index);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
 }
 
 }  // namespace nacre

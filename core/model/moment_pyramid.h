@@ -1,45 +1,51 @@
 // g, its gradient and visible facets of a p that is a set of facets: a painted or modulated lobe.
 #pragma once
 
-#include <cstdint>
+#include <functional>
 
-#include "core/model/lobe.h"
+#include "core/model/pyramid_kernel.h"
 
 namespace nacre {
 
-// A quadtree over a square grid of facets. Each cell holds m = sum of mass h over its facets and a ball
-// around their directions: a cell wholly in front of k adds k.m, one wholly behind nothing, and only the
-// cells that the great circle h.k = 0 passes are opened (MODEL.md, sec. 2). Equal to the sum over all facets.
+// A quadtree over a square grid of facets, in tiles that copies share: a copy with some facets changed costs
+// what was changed. Everything is equal to the sum over all facets but for rounding.
 class MomentPyramid {
   public:
-    // `facets` row by row, side x side of them, side a power of two; mass 0 where the grid holds none.
-    MomentPyramid(int side, const std::vector<Facet>& facets);
+    // The facet at (row, column); mass 0 where the grid holds none. Called from several threads.
+    using FacetAt = std::function<Facet(int row, int column)>;
 
-    Area area(dvec3 k) const;
+    // Rows and columns, the ends not included.
+    struct Part {
+        int row_begin, row_end, column_begin, column_end;
+    };
+
+    // side x side facets, side a power of two, 4 at the least.
+    MomentPyramid(int side, const FacetAt& facet_at);
+
+    // The same pyramid to the bit as one made anew from `facet_at`, which differs from this one within
+    // `part`.
+    MomentPyramid changed(const Part& part, const FacetAt& facet_at) const;
+
+    double projected_area(dvec3 k) const { return sum_visible_area(top_, k); }
+    Area area(dvec3 k) const { return sum_visible(top_, k); }
     double mass() const { return mass_; }
-    dvec3 mean() const { return nodes_.front().moment; }
+    dvec3 mean() const { return mean_; }
 
-    // The cells of the finest level with at most `count` of them (0: the facets themselves), empty ones left
-    // out, each as one facet with the cell's own moment.
+    // At most `count` cells (0: the facets themselves) that hold all of them, each as one facet with the
+    // cell's own moment: the cell that errs most, by mass and square of size, is parted first.
     std::vector<Facet> facets(std::size_t count) const;
 
     // Index (row * side + column) of a facet, drawn with the probability mass (h.k)+ / g(k); g(k) > 0.
     std::size_t sample_visible(dvec3 k, Random& random) const;
 
   private:
-    struct Node {
-        dvec3 moment{0};
-        dvec3 centre{0};
-        double radius = -1;  // of a ball that holds the facets' directions; < 0 when the cell is empty
-    };
+    MomentPyramid() = default;
+    void add_up();
 
-    void add(std::size_t node, dvec3 k, Area& sum) const;
-    bool is_leaf(std::size_t node) const { return node >= first_leaf_; }
-
-    int side_;
-    std::size_t first_leaf_ = 0;
+    int side_ = 0, tile_side_ = 0, tiles_ = 0;  // facets a side; facets a tile's side; tiles a side
+    PyramidTop top_;
     double mass_ = 0;
-    std::vector<Node> nodes_;  // children of i: 4 i + 1 ... 4 i + 4; leaves in Morton order
+    dvec3 mean_{0};
 };
 
 }  // namespace nacre

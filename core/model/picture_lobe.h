@@ -9,6 +9,16 @@ namespace nacre {
 std::shared_ptr<const LobeModel> make_painted_lobe(const PaintedLobe& lobe,
                                                    const std::optional<Modulation>& modulation);
 
+// A painted lobe after a brush has touched its raster.
+struct Repaint {
+    std::shared_ptr<const LobeModel>
+        lobe;                    // to the bit what make_painted_lobe() makes, at the cost of the touch
+    std::vector<Facet> changes;  // in the lobe's frame; mass is what was added, of either sign
+};
+
+// Nothing where `before` is not the painted lobe of a raster of the same size with the same modulation.
+std::optional<Repaint> repaint(const LobeModel& before, const Layer& after);
+
 // `base` has spans(), so it is any lobe but a painted one.
 std::shared_ptr<const LobeModel> make_modulated_lobe(std::shared_ptr<const LobeModel> base,
                                                      const Modulation& modulation);

@@ -111,7 +111,7 @@ real clamped_part(real3 k, real g) READS {
 }
 
 // R(k) of the design's own Fresnel factor, from the tables.
-real3 albedo_of(real3 k, real g, TableSpot spot) READS {
+real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
     real full = full_albedo(spot);
     real3 r = real3(full);
 #if FRESNEL_SCHLICK
@@ -139,7 +139,7 @@ Direction direction(real3 k) READS {
     a.g = projected_area(k, spot);
     a.R = real3(0.0);
 #if HAS_ALBEDO
-    if (READS_ALBEDO) a.R = albedo_of(k, a.g, spot);
+    if (READS_ALBEDO) a.R = albedo_of(k, a.g, albedo_spot(k, spot));
 #endif
     return a;
 }

@@ -70,7 +70,7 @@ class Stranger {
         if (symmetry == "quarter") x = std::fabs(x);
         if (symmetry == "quarter" || symmetry == "half") y = std::fabs(y);
         const double along = number("stretch", 0) * x, across = number("stretch", 1) * y;
-        double psi = std::atan2(across, along), rho = (psi + std::atan2(y, x)) / 2;
+        double psi = turns(along, across), rho = (psi + turns(x, y)) / 2;
         if (symmetry == "isotropic") psi = rho = 0;
         const double q = std::hypot(along, across) * along_x("tau", psi);
         const double m = number("moment", 2), n = constants.at("N");
@@ -91,12 +91,20 @@ class Stranger {
     const Table& table(const std::string& quantity) const { return tables_.at(quantity); }
 
   private:
-    // The place of an angle among n rows.
+    static double turns(double a, double b) {
+        const double sum = std::fabs(a) + std::fabs(b);
+        const double t = sum > 0 ? (std::fabs(b) - std::fabs(a)) / sum : -1;
+        double u = 0.5 + t * (6 - t * t) / 10;
+        if (a < 0) u = 2 - u;
+        return b < 0 ? 4 - u : u;
+    }
+
+    // The place of an azimuth, in quarter turns, among n rows.
     double row(double angle, int n) const {
         const std::string symmetry = manifest_.at("symmetry");
-        if (symmetry == "quarter") return angle / (pi / 2) * (n - 1);
-        if (symmetry == "half") return angle / pi * (n - 1);
-        if (symmetry == "none") return (angle < 0 ? angle + 2 * pi : angle) / (2 * pi) * n;
+        if (symmetry == "quarter") return angle * (n - 1);
+        if (symmetry == "half") return angle / 2 * (n - 1);
+        if (symmetry == "none") return angle / 4 * n;
         return 0;
     }
 

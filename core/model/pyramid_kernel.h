@@ -1,0 +1,60 @@
+// The walk of a moment pyramid, four children of a node at once in vectors as wide as the processor has.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/model/lobe.h"
+
+namespace nacre {
+
+// What a pyramid knows of four sibling cells: m = sum of mass h over each one's facets, and a ball around
+// their directions, rounded outward; a radius < 0 marks a cell that holds no facets.
+struct MomentBlock {
+    double x[4], y[4], z[4];
+};
+struct BallBlock {
+    float x[4], y[4], z[4], radius[4];
+};
+
+// One cell; a radius < 0 as above.
+struct PyramidCell {
+    dvec3 moment{0};
+    dvec3 centre{0};
+    double radius = -1;
+};
+
+// m of the facets of one cell of the finest level, 4 x 4 of them in Morton order.
+struct LeafBlock {
+    double x[16], y[16], z[16];
+};
+
+// A quadtree over a square of facets. Block i holds the children of node i, node 0 being the root. Node
+// 4 i + 1 + j is its child j; nodes from balls.size() on are leaves.
+struct PyramidTile {
+    std::vector<MomentBlock> moments;
+    std::vector<BallBlock> balls;
+    std::vector<LeafBlock> leaves;
+    PyramidCell root;
+    double mass = 0;
+};
+
+// Of a tile: nodes of any size.
+inline constexpr std::size_t tile_nodes_most = 341;
+
+// The tiles' own cells, four to a block, and the tiles beneath them.
+struct PyramidTop {
+    std::vector<MomentBlock> moments;
+    std::vector<BallBlock> balls;
+    std::vector<std::shared_ptr<const PyramidTile>> tiles;
+};
+
+// Over all facets: g alone, and with its gradient. |k| = 1.
+double sum_visible_area(const PyramidTop& top, dvec3 k);
+Area sum_visible(const PyramidTop& top, dvec3 k);
+
+// g over the facets beneath one node of a tile.
+double sum_visible_area(const PyramidTile& tile, std::size_t node, dvec3 k);
+
+}  // namespace nacre
