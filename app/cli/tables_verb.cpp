@@ -54,7 +54,7 @@ Row read_tables(const Tables& tables, dvec3 k) {
     if (k.z < 0) return {.g = tables.distribution->area(k).g};
     const auto spot = shading.table_spot(k);
     Row row;
-    row.g = shading.projected_area(k, spot);
+    row.g = shading.projected_area(spot);
     row.P = visibility(shading, k, row.g);
     const auto albedo = shading.albedo_spot(k, spot);
     const double full = shading.full_albedo(albedo), kept = shading.clamped_part(k, row.g);

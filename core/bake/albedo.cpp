@@ -1,7 +1,9 @@
 #include "core/bake/albedo.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace nacre {
@@ -15,7 +17,7 @@ void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
 
 // The interval cut at p's corners.
 template <class Visit>
-void for_each_part(LobeWalk::Interval interval, const std::vector<double>& breaks, const Visit& visit) {
+void for_each_part(const LobeWalk::Ray& interval, const std::vector<double>& breaks, const Visit& visit) {
     double begin = interval.begin;
     for (const double at : breaks) {
         if (at <= begin || at >= interval.end) continue;
@@ -23,6 +25,49 @@ void for_each_part(LobeWalk::Interval interval, const std::vector<double>& break
         begin = at;
     }
     if (interval.end > begin) visit(begin, interval.end);
+}
+
+// At most so many cells for a lobe of facets, level by level.
+constexpr std::array<std::size_t, 4> facet_counts = {200, 800, 3200, 12800};
+
+// For a smooth lobe, over half of psi and over chi, level by level.
+struct Order {
+    const std::vector<QuadraturePoint>& psi;
+    const std::vector<QuadraturePoint>& chi;
+};
+
+Order order(std::size_t level) {
+    switch (level) {
+        case 0:
+            return {gauss_legendre<7>(), gauss_legendre<10>()};
+        case 1:
+            return {gauss_legendre<10>(), gauss_legendre<14>()};
+        case 2:
+            return {gauss_legendre<14>(), gauss_legendre<20>()};
+        case 3:
+            return {gauss_legendre<20>(), gauss_legendre<28>()};
+        case 4:
+            return {gauss_legendre<30>(), gauss_legendre<40>()};
+        default:
+            return {gauss_legendre<44>(), gauss_legendre<60>()};
+    }
+}
+
+constexpr std::size_t orders = 6;
+
+// Directions by which the level is chosen: c from 0 to 1, crowded at grazing, azimuths all round.
+constexpr int trials = 16;
+
+dvec3 trial_direction(int i) {
+    const double c = std::pow(i / (trials - 1.0), 2), s = std::sqrt((1 - c) * (1 + c));
+    const double phi = 2 * pi * std::fmod(i * std::numbers::phi, 1.0);
+    return {s * std::cos(phi), s * std::sin(phi), c};
+}
+
+double difference(const AlbedoValues& a, const AlbedoValues& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::fmax(most, std::fabs(a[i] - b[i]));
+    return most;
 }
 
 }  // namespace
@@ -33,32 +78,31 @@ LobeWalk::LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1)
     start_ = std::atan2(span.stretch.y * own.y, span.stretch.x * own.x) - pi / 2;
 }
 
-dvec3 LobeWalk::along(double psi) const {
-    return placed_.frame[0] * (span_.stretch.x * std::cos(psi)) +
-           placed_.frame[1] * (span_.stretch.y * std::sin(psi));
-}
-
 // Facets h = s e + t a (s, t = sin and cos of chi; not normalised) send k1 above the horizon where
 //   2 (k1.h)(n.h) - (k1.n) |h|^2 = m + r cos(2 chi - delta) > 0  and  n.h > 0.
 // That is a disk in the slopes about n, so a great circle meets it in one interval.
-LobeWalk::Interval LobeWalk::interval(double psi) const {
-    const dvec3 e = along(psi);
+LobeWalk::Ray LobeWalk::ray(double psi) const {
+    Ray ray{std::cos(psi), std::sin(psi), 0, 0};
+    const dvec3 e =
+        placed_.frame[0] * (span_.stretch.x * ray.cosine) + placed_.frame[1] * (span_.stretch.y * ray.sine);
     const double ke = glm::dot(k1_, e), ka = glm::dot(k1_, axis_);
     const double alpha = 2 * ke * e.z - k1_.z * glm::dot(e, e);
     const double beta = ke * axis_.z + ka * e.z;
     const double gamma = 2 * ka * axis_.z - k1_.z;
     const double m = 0.5 * (alpha + gamma), x = 0.5 * (gamma - alpha);
     const double r = std::hypot(x, beta);
-    if (r <= std::fabs(m) && m <= 0) return {0, 0};
+    if (r <= std::fabs(m) && m <= 0) return ray;
     const double reach = r > 0 ? 0.5 * std::acos(std::clamp(-m / r, -1.0, 1.0)) : 0.5 * pi;
     double middle = 0.5 * std::atan2(beta, x);
     if (std::sin(middle) * e.z + std::cos(middle) * axis_.z < 0) middle += middle > 0 ? -pi : pi;
-    return {std::clamp(middle - reach, 0.0, pi / 2), std::clamp(middle + reach, 0.0, pi / 2)};
+    ray.begin = std::clamp(middle - reach, 0.0, pi / 2);
+    ray.end = std::clamp(middle + reach, 0.0, pi / 2);
+    return ray;
 }
 
-Facet LobeWalk::facet(double psi, double chi) const {
+Facet LobeWalk::facet(const Ray& ray, double chi) const {
     const double s = std::sin(chi), t = std::cos(chi);
-    const dvec3 own{span_.stretch.x * s * std::cos(psi), span_.stretch.y * s * std::sin(psi), t};
+    const dvec3 own{span_.stretch.x * s * ray.cosine, span_.stretch.y * s * ray.sine, t};
     const double length = glm::length(own);
     dvec3 h = own / length;
     h.z *= span_.flip;
@@ -66,31 +110,88 @@ Facet LobeWalk::facet(double psi, double chi) const {
     return {placed_.frame * h, placed_.scale * placed_.lobe->density(h) * solid_angle};
 }
 
-AlbedoRule::AlbedoRule(const FacetDistribution& distribution, bool fine)
-    : distribution_(distribution), fine_(fine), facets_(distribution.facets(fine ? 4096 : 256)) {}
+AlbedoRule::AlbedoRule(const FacetDistribution& distribution, const Shading<double>& shading, int channels,
+                       double tolerance)
+    : distribution_(distribution),
+      shading_(shading),
+      channels_(channels),
+      facets_(distribution.lobes().size()),
+      level_(distribution.lobes().size(), 0) {
+    const bool coarsest = tolerance == std::numeric_limits<double>::infinity();
+    for (const std::size_t count : facet_counts) {
+        const std::vector<std::vector<Facet>> level = distribution.facets(count);
+        for (std::size_t i = 0; i < level.size(); ++i)
+            if (!level[i].empty()) facets_[i].push_back(level[i]);
+        if (coarsest) break;
+    }
+    if (coarsest) return;
+    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) level_[lobe] = choose_level(lobe, tolerance);
+}
 
-AlbedoValues AlbedoRule::operator()(const Shading<double>& shading, dvec3 k1, double g1, int channels) const {
-    AlbedoValues sum{};
-    const FacetAlbedo albedo{shading, k1, g1, channels};
-    const auto& rule = fine_ ? gauss_legendre<32>() : gauss_legendre<7>();
-    auto area = [&](dvec3 k) { return shading.projected_area(k, shading.table_spot(k)); };
-    auto add_span = [&](const LobeWalk& walk) {
-        for (int i = 0; i < 2 * static_cast<int>(rule.size()); ++i) {
-            const QuadraturePoint& a = rule[static_cast<std::size_t>(i / 2)];
-            const double psi = walk.start() + pi * (i % 2 + a.x);
-            for_each_part(walk.interval(psi), walk.breaks(), [&](double begin, double end) {
-                for (const QuadraturePoint& b : rule) {
-                    const Facet facet = walk.facet(psi, begin + (end - begin) * b.x);
-                    if (facet.mass <= 0) continue;
-                    add(sum, albedo(facet.h, area), pi * a.weight * (end - begin) * b.weight * facet.mass);
-                }
-            });
+std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) const {
+    std::array<AlbedoValues, trials> now;
+    auto evaluate = [&](std::size_t level) {
+        std::array<AlbedoValues, trials> values;
+        for (int i = 0; i < trials; ++i) {
+            const dvec3 k = trial_direction(i);
+            values[static_cast<std::size_t>(i)] = over_lobe(lobe, level, k, distribution_.projected_area(k));
         }
+        return values;
     };
-    for (std::size_t i = 0; i < facets_.size(); ++i) {
-        const PlacedLobe& placed = distribution_.lobes()[i];
-        for (const Facet& facet : facets_[i]) add(sum, albedo(facet.h, area), facet.mass);
-        for (const LobeSpan& span : placed.lobe->spans()) add_span(LobeWalk(placed, span, k1));
+    now = evaluate(0);
+    std::size_t level = 0;
+    for (; level + 1 < levels(lobe); ++level) {
+        const std::array<AlbedoValues, trials> finer = evaluate(level + 1);
+        double worst = 0, squares = 0;
+        for (std::size_t i = 0; i < finer.size(); ++i) {
+            const double d = difference(now[i], finer[i]);
+            worst = std::fmax(worst, d);
+            squares += d * d / trials;
+        }
+        if (worst <= 2 * tolerance && squares <= 0.25 * tolerance * tolerance) break;
+        now = finer;
+    }
+    return level;
+}
+
+AlbedoValues AlbedoRule::operator()(dvec3 k1, double g1) const {
+    AlbedoValues sum{};
+    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe)
+        add(sum, over_lobe(lobe, level_[lobe], k1, g1), 1);
+    return sum;
+}
+
+std::size_t AlbedoRule::levels(std::size_t lobe) const {
+    return facets_[lobe].empty() ? orders : facets_[lobe].size();
+}
+
+AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
+    const FacetAlbedo albedo{shading_, k1, g1, channels_};
+    const PlacedLobe& placed = distribution_.lobes()[lobe];
+    AlbedoValues sum{};
+    if (!facets_[lobe].empty()) {
+        auto area = [&](dvec3 k) { return shading_.projected_area(shading_.table_spot(k)); };
+        for (const Facet& facet : facets_[lobe][level]) add(sum, albedo(facet.h, area), facet.mass);
+    }
+    for (const LobeSpan& span : placed.lobe->spans())
+        add(sum, over_span(LobeWalk(placed, span, k1), level, albedo), 1);
+    return sum;
+}
+
+AlbedoValues AlbedoRule::over_span(const LobeWalk& walk, std::size_t level, const FacetAlbedo& albedo) const {
+    auto area = [&](dvec3 k) { return shading_.projected_area(shading_.table_spot(k)); };
+    const Order rule = order(level);
+    AlbedoValues sum{};
+    for (int i = 0; i < 2 * static_cast<int>(rule.psi.size()); ++i) {
+        const QuadraturePoint& a = rule.psi[static_cast<std::size_t>(i / 2)];
+        const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (i % 2 + a.x));
+        for_each_part(ray, walk.breaks(), [&](double begin, double end) {
+            for (const QuadraturePoint& b : rule.chi) {
+                const Facet facet = walk.facet(ray, begin + (end - begin) * b.x);
+                if (facet.mass <= 0) continue;
+                add(sum, albedo(facet.h, area), pi * a.weight * (end - begin) * b.weight * facet.mass);
+            }
+        });
     }
     return sum;
 }

@@ -45,13 +45,15 @@ class LobeWalk {
   public:
     LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1);
 
-    struct Interval {
-        double begin, end;  // radians; empty when end <= begin
+    // One great circle.
+    struct Ray {
+        double cosine, sine;  // of psi
+        double begin, end;    // radians; empty when end <= begin
     };
-    Interval interval(double psi) const;
+    Ray ray(double psi) const;
 
-    // The facet at (psi, chi) and p dh/(dpsi dchi).
-    Facet facet(double psi, double chi) const;
+    // The facet at chi on a ray and p dh/(dpsi dchi).
+    Facet facet(const Ray& ray, double chi) const;
 
     // psi runs over two halves, [start, start + pi] and on, parted where the facets turn from k1.
     double start() const { return start_; }
@@ -59,8 +61,6 @@ class LobeWalk {
     const std::vector<double>& breaks() const { return span_.breaks; }
 
   private:
-    dvec3 along(double psi) const;
-
     const PlacedLobe& placed_;
     LobeSpan span_;
     dvec3 k1_;
@@ -68,18 +68,32 @@ class LobeWalk {
     double start_;
 };
 
-// The bake's rule: Gauss-Legendre over both halves of psi and over chi, or the pyramid's cells.
+// The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi; the integrand is
+// smooth on each, so that the error falls exponentially with the order. A lobe of facets: cells of its
+// pyramid, whose error falls with the square of their size. Order and count are chosen once, for all
+// directions.
 class AlbedoRule {
   public:
-    AlbedoRule(const FacetDistribution& distribution, bool fine);
+    // g(k2) is read from the tables that `shading` holds; channels as in FacetAlbedo. `tolerance` bounds,
+    // absolute, what the rule differs from the next finer one on a few directions down to grazing: half of it
+    // in the root mean square, twice at worst; infinity takes the coarsest. Both references are kept.
+    AlbedoRule(const FacetDistribution& distribution, const Shading<double>& shading, int channels,
+               double tolerance);
 
-    // R(k1), g(k1) given; g(k2) is read from the tables that `shading` holds.
-    AlbedoValues operator()(const Shading<double>& shading, dvec3 k1, double g1, int channels) const;
+    // R(k1), g(k1) given.
+    AlbedoValues operator()(dvec3 k1, double g1) const;
 
   private:
+    std::size_t levels(std::size_t lobe) const;
+    std::size_t choose_level(std::size_t lobe, double tolerance) const;
+    AlbedoValues over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const;
+    AlbedoValues over_span(const LobeWalk& walk, std::size_t level, const FacetAlbedo& albedo) const;
+
     const FacetDistribution& distribution_;
-    bool fine_;
-    std::vector<std::vector<Facet>> facets_;  // of each lobe that has no smooth form, in the surface's frame
+    const Shading<double>& shading_;
+    int channels_;
+    std::vector<std::vector<std::vector<Facet>>> facets_;  // [lobe][level], in the surface's frame
+    std::vector<std::size_t> level_;                       // taken for each lobe
 };
 
 }  // namespace nacre

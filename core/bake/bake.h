@@ -3,10 +3,10 @@
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <stop_token>
 
 #include "core/bake/tables.h"
+#include "core/bake/workers.h"
 #include "core/design/design.h"
 
 namespace nacre {
@@ -17,10 +17,6 @@ struct BakeOptions {
     int threads = 0;          // 0, or more than the machine has: as many as it has; the same bits for any
     double tolerance = 1e-3;  // what a final bake keeps the errors of g (relative) and R (absolute) under
     std::optional<TableSize> size = {};  // exactly so many nodes, whatever the error
-};
-
-struct BakeCancelled : std::runtime_error {
-    BakeCancelled() : std::runtime_error("the bake was stopped") {}
 };
 
 // Throws UserError (with an empty file name) when the design holds no facets that face up, and BakeCancelled

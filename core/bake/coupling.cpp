@@ -19,7 +19,7 @@ constexpr double nothing_left = 1e-9;
 
 Integrals integrand(const Shading<double>& shading, dvec3 k) {
     const auto spot = shading.table_spot(k);
-    const double g = shading.projected_area(k, spot);
+    const double g = shading.projected_area(spot);
     const auto albedo = shading.albedo_spot(k, spot);
     const dvec3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
     return {shading.full_albedo(albedo) * shading.clamped_part(k, g), share.x, share.y, share.z};
@@ -35,7 +35,7 @@ Integrals integrate_meridian(const Shading<double>& shading, double phi) {
     for (int i = 1; i < shape.nodes_v; ++i) {
         const double v = static_cast<double>(i) / (shape.nodes_v - 1);
         const double end =
-            i + 1 == shape.nodes_v ? pi / 2 : std::atan2(1.0, cotangent_at_v(v, 2 * width / shape.moment.z));
+            i + 1 == shape.nodes_v ? pi / 2 : std::atan2(1.0, cotangent_at_v(v, 2 * width / shape.g_normal));
         for (const QuadraturePoint& node : gauss_legendre<7>()) {
             const double theta = begin + (end - begin) * node.x;
             const double sine = std::sin(theta), cosine = std::cos(theta);
@@ -58,7 +58,7 @@ std::vector<double> row_azimuths(const Shading<double>& shading) {
     const double axis = std::atan2(shape.axis.y, shape.axis.x);
     std::vector<double> azimuths;
     for (int i = 0; i <= cells; ++i) {
-        const dvec2 e = azimuth_at_rho(range * i / cells, shape.stretch);
+        const dvec2 e = azimuth_at_rho(range * i / cells, shading);
         const double phi = std::atan2(e.y, e.x);
         azimuths.push_back(axis + (i > 0 && phi < 1e-12 ? phi + 2 * pi : phi));
     }

@@ -2,36 +2,11 @@
 
 #include <algorithm>
 
+#include "core/bake/table_size.h"
 #include "core/model/surface.h"
 
 namespace nacre {
 namespace {
-
-// Nodes for each symmetry. The stretched error hardly depends on the design, so one size serves; a final bake
-// that measures more than its tolerance doubles it (see bake.cpp).
-void choose_size(BakePlan& plan) {
-    const bool draft = plan.quality == Quality::draft;
-    plan.nodes.w = draft ? 17 : 33;
-    plan.nodes.v = draft ? 17 : 49;
-    switch (plan.symmetry.symmetry) {
-        case Symmetry::isotropic:
-            plan.nodes.w = draft ? 33 : 129;
-            plan.nodes.v = draft ? 33 : 65;
-            plan.nodes.psi = plan.nodes.rho = 1;
-            break;
-        case Symmetry::quarter:
-            plan.nodes.psi = draft ? 9 : 17;
-            plan.nodes.rho = draft ? 9 : 25;
-            break;
-        case Symmetry::half:
-            plan.nodes.psi = draft ? 17 : 33;
-            plan.nodes.rho = draft ? 17 : 41;
-            break;
-        case Symmetry::none:
-            plan.nodes.psi = plan.nodes.rho = draft ? 24 : 64;
-            break;
-    }
-}
 
 template <class Kind>
 bool uses(const Design& design) {
@@ -99,11 +74,7 @@ BakePlan plan_bake(const Design& design, const PlanOptions& options) {
                 break;
         }
     }
-    if (options.size) {
-        plan.nodes = *options.size;
-    } else {
-        choose_size(plan);
-    }
+    plan.nodes = options.size ? *options.size : first_size(plan.symmetry.symmetry, options.quality);
     list_omissions(design, plan);
     return plan;
 }

@@ -6,23 +6,14 @@
 #include <vector>
 
 #include "core/bake/symmetry.h"
+#include "core/bake/table_size.h"
 #include "core/model/shading.h"
 
 namespace nacre {
 
-enum class Quality { draft, final };
-
 struct Omission {
     std::string what;
     std::string why;
-};
-
-// Nodes of the tables: of g along theta (w) and azimuth (psi), of R along theta (v) and azimuth (rho). One
-// azimuth for an isotropic p, two or more otherwise; two or more along theta.
-struct TableSize {
-    int w = 0, psi = 0, v = 0, rho = 0;
-
-    bool operator==(const TableSize&) const = default;
 };
 
 struct BakePlan {

@@ -10,6 +10,8 @@ enum class Symmetry { isotropic, quarter, half, none };  // in the order of SYMM
 struct DistributionSymmetry {
     Symmetry symmetry = Symmetry::none;
     double axis = 0;  // degrees: azimuth of a mirror plane (quarter and half)
+
+    bool operator==(const DistributionSymmetry&) const = default;
 };
 
 // Never claims a symmetry that p does not have; angles count as equal within 1e-9 degrees.

@@ -6,6 +6,7 @@
 
 #include "core/bake/plan.h"
 #include "core/model/facet_distribution.h"
+#include "core/model/quadrature.h"
 #include "core/model/shading.h"
 
 namespace nacre {
@@ -15,6 +16,18 @@ struct TableError {
     double worst = 0;
     double root_mean_square = 0;
     int directions = 0;
+};
+
+// The same of one table, and the worst between two nodes along theta and along azimuth.
+struct AxisError {
+    TableError all;
+    double polar = 0, azimuth = 0;
+};
+
+// A size that was tried for a table, and the worst error it showed.
+struct TriedSize {
+    TableNodes nodes;
+    double worst;
 };
 
 struct TableErrors {
@@ -38,6 +51,7 @@ struct Tables {
     double mean_albedo = 0;  // (1/pi) integral of R cos dk with F = 1, of the interpolant; 0 without R
     double tolerance = 0;    // that the bake was asked for
     TableErrors errors;      // measured by the bake, on directions between nodes
+    std::vector<TriedSize> tried_area, tried_albedo;  // on the way to the sizes of the plan
     double seconds = 0;
 
     std::size_t table_floats() const;  // of `data`: the tables without curves and pictures
@@ -47,5 +61,12 @@ struct Tables {
 // g without clamp), and to no less than a twentieth of p's own width there. Less than that g has only where a
 // p that leans to one side turns away almost whole.
 double area_error(const Shading<double>& shading, dvec3 k, double exact);
+
+// Error of R at k, of F = 1 and of each of the Fresnel factors, whichever is largest; `exact` as AlbedoRule
+// gives it.
+double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels);
+
+// Worst and root mean square.
+TableError summarise(const std::vector<double>& errors);
 
 }  // namespace nacre

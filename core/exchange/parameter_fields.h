@@ -23,15 +23,15 @@ void visit_fields(const Shading<double>::Layer& layer, const Visit& visit) {
 
 template <class Visit>
 void visit_fields(const Shading<double>::TableShape& shape, const Visit& visit) {
-    visit("moment", shape.moment);
+    visit("g_normal", shape.g_normal);
     visit("axis", shape.axis);
     visit("stretch", shape.stretch);
+    visit("lean", shape.lean);
     visit("symmetry", shape.symmetry);
     visit("nodes_w", shape.nodes_w);
     visit("nodes_v", shape.nodes_v);
     visit("nodes_psi", shape.nodes_psi);
     visit("nodes_rho", shape.nodes_rho);
-    visit("width_offset", shape.width_offset);
     visit("area_offset", shape.area_offset);
     visit("albedo_offset", shape.albedo_offset);
     visit("residual_offset", shape.residual_offset);

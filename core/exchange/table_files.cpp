@@ -70,13 +70,6 @@ void make_folder(const fs::path& folder) {
 std::vector<TablePicture> table_pictures(const Tables& tables) {
     const auto& shape = tables.shading.surface.tables;
     std::vector<TablePicture> pictures;
-    pictures.push_back({"width.exr",
-                        "tau",
-                        "psi",
-                        "",
-                        {shape.nodes_psi, 1},
-                        {"Y"},
-                        part(tables, shape.width_offset, shape.nodes_psi)});
     pictures.push_back({"area.exr",
                         "A",
                         "w",

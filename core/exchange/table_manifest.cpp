@@ -118,13 +118,13 @@ Json evaluation_json(const Tables& tables) {
         "k = (x, y, z): unit vector away from the surface, z = k.normal >= 0, x = k.tangent, y = k.bitangent",
         "x' = axis[0] x + axis[1] y; y' = axis[0] y - axis[1] x",
         fmt::format("fold: {}", fold_rule(symmetry)),
-        "along = stretch[0] x'; across = stretch[1] y'; psi = turns(along, across)",
+        "r = sqrt(x'^2 + y'^2); psi = turns(stretch[0] (x' + lean r), stretch[1] y' sqrt(1 - lean^2))",
         "turns(a, b), an azimuth in quarter turns: t = (|b| - |a|)/(|a| + |b|), -1 at 0/0; u = 1/2 + t (6 - "
         "t^2)/10; "
         "2 - u in its place where a < 0; then 4 minus it where b < 0",
-        "q = sqrt(along^2 + across^2) tau(psi)",
-        "w = 2 q/(z moment[2] + 2 q); 0 where the denominator is 0",
-        "g = max(0, k.moment + (z moment[2] + 2 q) A(w, psi))",
+        "q = sqrt((stretch[0] x')^2 + (stretch[1] y')^2)",
+        "w = 2 q/(z g_normal + 2 q); 0 where the denominator is 0",
+        "g = (z g_normal + 2 q) max(0, A(w, psi))",
         "P = N z/g; with clamp P = min(1, N z/g)"};
     if (tables.plan.albedo) {
         steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + turns(x', y'))/2");
@@ -245,9 +245,10 @@ std::string table_manifest(const Design& design, const Tables& tables,
     const Symmetry symmetry = tables.plan.symmetry.symmetry;
     Json json = {{"format", "nacre tables"}, {"version", 1}, {"name", design.name}, {"note", design.note}};
     json["constants"] = {{"N", surface.N},
-                         {"moment", numbers(shape.moment)},
+                         {"g_normal", shape.g_normal},
                          {"axis", numbers(shape.axis)},
                          {"stretch", numbers(shape.stretch)},
+                         {"lean", shape.lean},
                          {"mean_normal", numbers(tables.mean)},
                          {"mean_albedo", tables.mean_albedo}};
     json["material"] = material_json(design, tables);
@@ -259,7 +260,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
     json["tables"] = pictures_json(pictures);
     json["texels"] = {
         {"w, v", "column i of n stands at i/(n-1): texels on both ends, not at centres"},
-        {"psi, rho", fmt::format("{} (columns in width.exr)", row_rule(symmetry))},
+        {"psi, rho", row_rule(symmetry)},
         {"between",
          "linear in both; no mipmaps, no sRGB, no 8 bit; clamp to the edge but where row n is row 0"},
         {"orientation",
@@ -267,7 +268,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
          "corners.exr holds "
          "1 in the first line's first texel, 2 in its last, 3 and 4 in the last line's first and last"}};
     json["units"] =
-        "g, tau, q: areas per area of facets; S, R and P: parts of 1; psi and rho in quarter turns, other "
+        "g, q: areas per area of facets; A, R and P: parts of 1; psi and rho in quarter turns, other "
         "angles in radians unless said; colours "
         "linear Rec. 709";
     json["error"] = {{"g", error_json(errors.area)},   {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},

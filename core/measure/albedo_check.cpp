@@ -28,12 +28,12 @@ dvec3 direction(int index) {
 }  // namespace
 
 AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std::stop_token stop) {
-    const AlbedoRule rule(*tables.distribution, true);
+    const AlbedoRule rule(*tables.distribution, tables.shading, 0, 0.1 * rule_error);
     std::vector<double> values(static_cast<std::size_t>(polar * azimuths));
     tbb::parallel_for(0, polar * azimuths, [&](int i) {
         if (stop.stop_requested()) throw BakeCancelled();
         const dvec3 k = direction(i);
-        double value = rule(tables.shading, k, tables.distribution->projected_area(k), 0)[0];
+        double value = rule(k, tables.distribution->projected_area(k))[0];
         if (std::fabs(value - 1) < rule_error) value = reference.albedo(k, stop)[0];
         values[static_cast<std::size_t>(i)] = value;
     });

@@ -64,15 +64,15 @@ class SpanIntegral {
 
   private:
     Pair at(double psi, double chi) const {
-        const Facet facet = walk_.facet(psi, chi);
+        const Facet facet = walk_.facet(walk_.ray(psi), chi);
         return {facet.mass, facet.mass * std::fmax(glm::dot(facet.h, k_), 0.0) / unit_};
     }
 
     // The angle at which the great circle's facets turn from k: k.a cos(chi) + |e| k.e sin(chi) = 0.
     double turning_angle(double psi) const {
         const double size = std::hypot(span_.stretch.x * std::cos(psi), span_.stretch.y * std::sin(psi));
-        const double ka = glm::dot(k_, walk_.facet(psi, 0).h);
-        const double ke = glm::dot(k_, walk_.facet(psi, 0.5 * pi).h) * size;
+        const double ka = glm::dot(k_, walk_.facet(walk_.ray(psi), 0).h);
+        const double ke = glm::dot(k_, walk_.facet(walk_.ray(psi), 0.5 * pi).h) * size;
         return std::atan2(ka, -ke);
     }
 

@@ -25,7 +25,7 @@ Reference::Reference(const Design& design) : distribution_(design.distribution) 
     describe_material(design, distribution_, shading_);
     describe_layers(design.distribution, distribution_, shading_, data_);
     shading_.data = data_.data();
-    const BakePlan plan = plan_bake(design, {Quality::final, true});
+    const BakePlan plan = plan_bake(design, {Quality::final, true, {}});
     channels_ = plan.fresnel_tables;
     round_ = plan.symmetry.symmetry == Symmetry::isotropic;
     reads_albedo_ =
@@ -48,9 +48,9 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
     auto add = [&](const AlbedoValues& values, double weight) {
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
     };
-    auto at = [&](const LobeWalk& walk, double psi, double chi) {
+    auto at = [&](const LobeWalk& walk, const LobeWalk::Ray& ray, double chi) {
         if (stop.stop_requested()) throw BakeCancelled();
-        const Facet facet = walk.facet(psi, chi);
+        const Facet facet = walk.facet(ray, chi);
         AlbedoValues values{};
         if (facet.mass <= 0) return values;
         values = integrand(facet.h, area);
@@ -58,7 +58,7 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
         return values;
     };
     auto over_chi = [&](const LobeWalk& walk, double psi) {
-        const LobeWalk::Interval whole = walk.interval(psi);
+        const LobeWalk::Ray whole = walk.ray(psi);
         AlbedoValues inner{};
         std::vector<double> cuts = {whole.begin};
         for (const double b : walk.breaks())
@@ -67,8 +67,8 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
             if (cuts[i + 1] <= cuts[i]) continue;
             const AlbedoValues part =
-                integrate_adaptively<4>([&](double chi) { return at(walk, psi, chi); }, cuts[i], cuts[i + 1],
-                                        0.5 * albedo_tolerance, depth_polar);
+                integrate_adaptively<4>([&](double chi) { return at(walk, whole, chi); }, cuts[i],
+                                        cuts[i + 1], 0.5 * albedo_tolerance, depth_polar);
             for (std::size_t j = 0; j < inner.size(); ++j) inner[j] += part[j];
         }
         return inner;

@@ -15,22 +15,6 @@ using std::numbers::pi;
 
 constexpr double grazing = 1e-5;  // the smallest c
 
-double albedo_error(const Tables& tables, const Reference& reference, dvec3 k, const std::stop_token& stop) {
-    const Shading<double>& shading = tables.shading;
-    const auto spot = shading.table_spot(k);
-    const auto albedo = shading.albedo_spot(k, spot);
-    const AlbedoValues truth = reference.albedo(k, stop);
-    const double full = shading.full_albedo(albedo),
-                 kept = shading.clamped_part(k, shading.projected_area(k, spot));
-    double error = std::fabs(full * kept - truth[0]);
-    const int channels = tables.plan.fresnel_tables;
-    const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
-    for (int c = 0; c < channels; ++c)
-        error = std::fmax(error, std::fabs(shading.fresnel_albedo(albedo, full, f[c], c) * kept -
-                                           truth[static_cast<std::size_t>(c + 1)]));
-    return error;
-}
-
 }  // namespace
 
 std::vector<dvec3> probe_directions(int count) {
@@ -48,16 +32,6 @@ std::vector<dvec3> probe_directions(int count) {
     return directions;
 }
 
-TableError summarise(const std::vector<double>& errors) {
-    TableError error{.directions = static_cast<int>(errors.size())};
-    for (const double e : errors) {
-        error.worst = std::fmax(error.worst, e);
-        error.root_mean_square += e * e / error.directions;
-    }
-    error.root_mean_square = std::sqrt(error.root_mean_square);
-    return error;
-}
-
 TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop,
                                  const ProbeCounts& counts) {
     TableErrors result;
@@ -70,7 +44,8 @@ TableErrors measure_table_errors(const Tables& tables, const Reference& referenc
     errors.assign(probes.size(), 0);
     tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t i) {
         if (stop.stop_requested()) throw BakeCancelled();
-        errors[i] = albedo_error(tables, reference, probes[i], stop);
+        errors[i] = albedo_error(tables.shading, probes[i], reference.albedo(probes[i], stop),
+                                 tables.plan.fresnel_tables);
     });
     result.albedo = summarise(errors);
     return result;

@@ -22,7 +22,4 @@ struct ProbeCounts {
 TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop = {},
                                  const ProbeCounts& probes = {});
 
-// Worst and root mean square.
-TableError summarise(const std::vector<double>& errors);
-
 }  // namespace nacre

@@ -33,7 +33,7 @@ glm::dmat3 layer_frame(const Layer& layer) {
     return rotation_about_z(layer.azimuth) * lean * rotation_about_z(layer.rotation - layer.azimuth);
 }
 
-FacetDistribution::FacetDistribution(const Distribution& distribution) {
+FacetDistribution::FacetDistribution(const Distribution& distribution, const LobeOf& lobe_of) {
     // Shares are taken of the largest weight first, so that weights of 1e-30 and of 1e30 give the same p.
     double largest = 0, total = 0;
     for (const Layer& layer : distribution.layers)
@@ -44,7 +44,7 @@ FacetDistribution::FacetDistribution(const Distribution& distribution) {
         const Layer& layer = distribution.layers[i];
         if (!layer.enabled || layer.weight <= 0) continue;
         const std::string where = fmt::format("distribution.layers[{}]", i);
-        std::shared_ptr<const LobeModel> lobe = make_lobe(layer);
+        std::shared_ptr<const LobeModel> lobe = lobe_of(layer, i);
         const double mass = lobe->mass();
         if (!(mass > 0) || !std::isfinite(mass))
             throw UserError("", where, fmt::format("the layer holds no facets (its integral is {:g})", mass));

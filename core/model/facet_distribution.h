@@ -20,7 +20,11 @@ glm::dmat3 layer_frame(const Layer& layer);
 class FacetDistribution {
   public:
     // Throws UserError when a layer or the whole holds no facets, or when N = <n.h> <= 0.
-    explicit FacetDistribution(const Distribution& distribution);
+    // `lobe_of` gives the model of the design's layer of that index.
+    using LobeOf = std::function<std::shared_ptr<const LobeModel>(const Layer& layer, std::size_t index)>;
+    explicit FacetDistribution(
+        const Distribution& distribution,
+        const LobeOf& lobe_of = [](const Layer& layer, std::size_t) { return make_lobe(layer); });
 
     double density(dvec3 h) const;  // per steradian
     Area area(dvec3 k) const;

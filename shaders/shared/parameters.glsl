@@ -32,15 +32,15 @@ struct Layer {
 
 // The baked tables' shape; see tables.glsl.
 struct TableShape {
-    real3 moment;   // integral of h p over the facets above the horizon
+    real g_normal;  // g(n)
     real2 axis;     // cos and sin of the azimuth that the tables are aligned with
     real2 stretch;  // widths of p along that axis and across it
+    real lean;      // -1 to 1: how far rows gather opposite to that axis
     int symmetry;   // SYMMETRY_*
     int nodes_w;      // along theta, for g
     int nodes_v;      // along theta, for R
     int nodes_psi;    // along azimuth, for g
     int nodes_rho;    // along azimuth, for R
-    int width_offset;     // nodes_psi values
     int area_offset;      // nodes_psi rows of nodes_w
     int albedo_offset;    // nodes_rho rows of nodes_v
     int residual_offset;  // the same, once or three times

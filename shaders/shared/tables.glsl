@@ -1,16 +1,13 @@
 // The projected area g(k) and the albedo R(k) from tables whose directions are stretched by p's own width,
 // so that their error does not depend on how narrow p is.
 //
-//   g(k) = k.M + d(k),              M = integral of h p over the facets above the horizon = grad g(n)
-//   d(k) = (c Mz + 2 q) A(w, psi),  q = sin(theta) D(phi),  D(phi) = <|h.k|>/2 at grazing azimuth phi
-//   w = 2 q / (c Mz + 2 q),         psi = azimuth after p's width along and across `axis` is made one, in
-//                                   quarter turns (see quarter_turns())
+//   g(k) = (c g(n) + 2 q) A(w, psi),   q = |L (kx, ky)|: an ellipse through p's width <|h.k|>/2 at grazing
+//   w = 2 q / (c g(n) + 2 q),          psi = azimuth after that ellipse is made a circle, in quarter turns (see
+//                                      quarter_turns())
 //
-// d is what turning from n toward k uncovers: facets below the horizon that come into sight and facets
-// above it that turn away. It is >= 0, and A lies in [0, 1] and is 0 at the normal (w = 0) for every p, also one
-// with facets below the horizon; where <h> stands on n it is 1/2 at grazing (w = 1). Straight lines in w are chords of the homogeneous, convex
-// g on a meridian: they never lie below it, and they keep what is linear in
-// k exact, so that g stays accurate where k.M and d cancel. D is stored over its ellipse, D = |L e(phi)| tau(psi).
+// c g(n) + 2 q is what g is near the normal and, where <h> stands on n, about twice what it is at grazing: A is 1
+// at the normal (w = 0) and about 1/2 there (w = 1). Straight lines in w are chords of the homogeneous, convex g
+// on a meridian.
 // R also turns at the scale of the hemisphere itself (Fresnel, a lobe that is narrow one way and wide the
 // other), so its tables share their nodes between both scales:
 //
@@ -35,6 +32,7 @@ struct TableSpot {
     TableRows psi;
     real w;
     real q;
+    real scale;     // c g(n) + 2 q
     real2 azimuth;  // k from the tables' axis, folded; its length is sin(theta)
     real turns;     // psi
 };
@@ -72,6 +70,19 @@ TableRows table_rows(real turns, int nodes) READS {
     return rows;
 }
 
+// psi of (x, y) from the tables' axis. A p that leans turns away within a narrow range of azimuths: rows gather
+// there, as stars do ahead of one who flies (aberration), before p's width is made one.
+real table_turns(real x, real y) READS {
+    real lean = surface.tables.lean;
+    real along = x;
+    real across = y;
+    if (lean != real(0.0)) {
+        along = x + lean * sqrt(x * x + y * y);
+        across = y * sqrt(real(1.0) - lean * lean);
+    }
+    return quarter_turns(surface.tables.stretch.x * along, surface.tables.stretch.y * across);
+}
+
 TableSpot table_spot(real3 k) READS {
     int symmetry = surface.tables.symmetry;
     real x = surface.tables.axis.x * k.x + surface.tables.axis.y * k.y;
@@ -82,13 +93,11 @@ TableSpot table_spot(real3 k) READS {
     real across = surface.tables.stretch.y * y;
     TableSpot spot;
     spot.azimuth = real2(x, y);
-    spot.turns = symmetry == SYMMETRY_ISOTROPIC ? real(0.0) : quarter_turns(along, across);
+    spot.turns = symmetry == SYMMETRY_ISOTROPIC ? real(0.0) : table_turns(x, y);
     spot.psi = table_rows(spot.turns, surface.tables.nodes_psi);
-    real tau = fetch(surface.tables.width_offset + spot.psi.first) * (real(1.0) - spot.psi.fraction) +
-               fetch(surface.tables.width_offset + spot.psi.second) * spot.psi.fraction;
-    spot.q = sqrt(along * along + across * across) * tau;
-    real denominator = k.z * surface.tables.moment.z + real(2.0) * spot.q;
-    spot.w = denominator > real(0.0) ? min(real(2.0) * spot.q / denominator, real(1.0)) : real(0.0);
+    spot.q = sqrt(along * along + across * across);
+    spot.scale = k.z * surface.tables.g_normal + real(2.0) * spot.q;
+    spot.w = spot.scale > real(0.0) ? min(real(2.0) * spot.q / spot.scale, real(1.0)) : real(0.0);
     return spot;
 }
 
@@ -118,11 +127,10 @@ real table_value(TableRows rows, int offset, int nodes, real at) READS {
     return first * (real(1.0) - rows.fraction) + second * rows.fraction;
 }
 
-// g(k) for k.z >= 0, p normalised to 1                                     (Ashikhmin 2000, eq. 18)
-real projected_area(real3 k, TableSpot spot) READS {
+// g at a spot, p normalised to 1                                     (Ashikhmin 2000, eq. 18)
+real projected_area(TableSpot spot) READS {
     real a = table_value(spot.psi, surface.tables.area_offset, surface.tables.nodes_w, spot.w);
-    real scale = k.z * surface.tables.moment.z + real(2.0) * spot.q;
-    return max(dot(k, surface.tables.moment) + scale * a, real(0.0));
+    return spot.scale * max(a, real(0.0));
 }
 
 #if HAS_ALBEDO

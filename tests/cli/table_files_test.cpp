@@ -70,14 +70,14 @@ class Stranger {
         if (symmetry == "quarter") x = std::fabs(x);
         if (symmetry == "quarter" || symmetry == "half") y = std::fabs(y);
         const double along = number("stretch", 0) * x, across = number("stretch", 1) * y;
-        double psi = turns(along, across), rho = (psi + turns(x, y)) / 2;
+        const double lean = constants.at("lean"), radius = std::hypot(x, y);
+        double psi = turns(number("stretch", 0) * (x + lean * radius), across * std::sqrt(1 - lean * lean)), rho = (psi + turns(x, y)) / 2;
         if (symmetry == "isotropic") psi = rho = 0;
-        const double q = std::hypot(along, across) * along_x("tau", psi);
-        const double m = number("moment", 2), n = constants.at("N");
+        const double q = std::hypot(along, across);
+        const double m = constants.at("g_normal"), n = constants.at("N");
         const double w = 2 * q / (k.z * m + 2 * q);
-        const double dot = k.x * number("moment", 0) + k.y * number("moment", 1) + k.z * m;
         Answer answer{};
-        answer.g = std::max(0.0, dot + (k.z * m + 2 * q) * value("A", w, psi));
+        answer.g = (k.z * m + 2 * q) * std::max(0.0, value("A", w, psi));
         answer.P = n * k.z / answer.g;
         if (clamp) answer.P = std::min(1.0, answer.P);
         const double s = std::hypot(k.x, k.y), v = (w + s / (k.z + s)) / 2;
@@ -110,13 +110,6 @@ class Stranger {
 
     int next(int index, int n) const {
         return manifest_.at("symmetry") == "none" ? (index + 1) % n : std::min(index + 1, n - 1);
-    }
-
-    double along_x(const char* quantity, double angle) const {
-        const Table& t = tables_.at(quantity);
-        const double place = row(angle, t.width);
-        const int i = std::min(static_cast<int>(place), t.width - 1);
-        return std::lerp(t.at(i, 0), t.at(next(i, t.width), 0), place - i);
     }
 
     double value(const char* quantity, double at, double angle) const {

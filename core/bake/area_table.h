@@ -1,0 +1,70 @@
+// The table of g of one distribution.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/bake/facet_changes.h"
+#include "core/bake/stretched_grid.h"
+#include "core/bake/tables.h"
+#include "core/bake/workers.h"
+
+namespace nacre {
+
+class AreaTable {
+  public:
+    // g at every node and at the directions between them by which it is measured.
+    // nodes: w and psi.
+    AreaTable(std::shared_ptr<const FacetDistribution> distribution, const DistributionSymmetry& symmetry,
+              const TableSize& nodes, Workers& workers);
+
+    // The table of a distribution that has the same lobes in the same places: other weights, and in each lobe
+    // that a brush has touched `changes`, the facets that were added (empty for all others). g is linear in
+    // p, so it is only summed again and the changes are added to it, on directions that fitted the
+    // distribution before. Differs from a new table by how well they fit now, which is measured.
+    AreaTable(const AreaTable& before, std::shared_ptr<const FacetDistribution> distribution,
+              const std::vector<std::vector<Facet>>& changes, Workers& workers);
+
+    // `material` with this table in place of any other; reads data().
+    Shading<double> shading(const Shading<double>& material) const;
+
+    // Relative error between nodes under the material's clamp and N: see area_error().
+    AxisError measure(const Shading<double>& material) const;
+
+    const TableSize& nodes() const { return nodes_; }
+    const StretchedGrid& grid() const { return *grid_; }
+    const std::shared_ptr<const FacetDistribution>& distribution() const { return distribution_; }
+
+    // The widths, then rows of A, as the shader reads them.
+    const std::vector<float>& data() const { return data_; }
+
+  private:
+    enum class Place { node, along_w, along_psi, centre };
+    static constexpr Place kinds_between[3] = {Place::along_w, Place::along_psi, Place::centre};
+    struct Sample {
+        dvec3 k;
+        double column, row;
+        Place place;
+    };
+
+    void sample_nodes_and_between(Workers& workers);
+    void sample_near_worst(Workers& workers);
+    void add_samples(std::vector<Sample> added, Workers& workers);
+    Sample sample_at(double column, double row, Place place) const;
+    Sample between(int cell, Place place) const;
+    void sample(std::size_t index);
+    void fill();
+    double area_at(std::size_t index) const;
+    int columns() const { return nodes_.w - 1; }  // of cells
+    int rows() const;
+    std::size_t node_count() const;
+
+    std::shared_ptr<const FacetDistribution> distribution_;
+    TableSize nodes_;
+    std::shared_ptr<const StretchedGrid> grid_;
+    std::shared_ptr<const std::vector<Sample>> samples_;  // the nodes row by row, then what lies between
+    std::vector<double> areas_;  // of each sample each lobe's own g, before its scale
+    std::vector<float> data_;
+};
+
+}  // namespace nacre

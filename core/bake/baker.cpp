@@ -1,0 +1,255 @@
+#include "core/bake/baker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "core/bake/coupling.h"
+#include "core/bake/fitted.h"
+#include "core/model/picture_lobe.h"
+#include "core/model/surface.h"
+
+namespace nacre {
+namespace {
+
+// What of the tolerance the errors at the measured directions may take; the rest is for those between them.
+constexpr double area_part = 0.75, albedo_part = 0.8;
+
+// Floats of all tables of a design, 64 KiB, and what of them g may take.
+constexpr int floats_most = 16384, area_floats_most = 9216;
+
+// Directions by which R is measured.
+constexpr int final_probes = 160, draft_probes = 16;
+
+// A draft's grid is fitted anew when the error of g has grown so much since.
+constexpr double outgrown = 2, outgrown_least = 5e-3;
+
+// Names are not facets.
+Distribution without_names(Distribution distribution) {
+    for (Layer& layer : distribution.layers) layer.name.clear();
+    return distribution;
+}
+
+bool same_place(const Layer& a, const Layer& b) {
+    return a.tilt == b.tilt && a.azimuth == b.azimuth && a.rotation == b.rotation;
+}
+
+// Everything that the table of g and its measured error depend on.
+bool same_area(const Design& a, const Design& b) {
+    return a.distribution == b.distribution && a.shadowing.clamp == b.shadowing.clamp;
+}
+
+// Everything that the tables of R depend on, given the same g.
+bool same_albedo(const Design& a, const Design& b) {
+    const bool linear = std::holds_alternative<SchlickFresnel>(a.fresnel) &&
+                        std::holds_alternative<SchlickFresnel>(b.fresnel);
+    return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel);
+}
+
+bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
+    return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size;
+}
+
+}  // namespace
+
+Baker::Followed Baker::follow(const Distribution& distribution) const {
+    Followed now;
+    if (distribution_ && before_ == distribution) {
+        now.distribution = distribution_;
+        now.changes.resize(distribution_->lobes().size());
+        now.same_lobes = true;
+        return now;
+    }
+    auto lobe_before = [&](std::size_t index) -> const PlacedLobe* {
+        if (!distribution_ || index >= distribution.layers.size() || index >= before_.layers.size())
+            return nullptr;
+        const auto& lobes = distribution_->lobes();
+        const auto found = std::find_if(lobes.begin(), lobes.end(),
+                                        [&](const PlacedLobe& placed) { return placed.layer == index; });
+        return found == lobes.end() ? nullptr : &*found;
+    };
+    bool same = distribution_ != nullptr;
+    auto lobe_of = [&](const Layer& layer, std::size_t index) {
+        now.changes.emplace_back();
+        const PlacedLobe* placed = lobe_before(index);
+        same = same && placed && same_place(layer, before_.layers[index]);
+        if (placed && layer.lobe == before_.layers[index].lobe &&
+            layer.modulation == before_.layers[index].modulation)
+            return placed->lobe;
+        if (placed) {
+            if (std::optional<Repaint> touched = repaint(*placed->lobe, layer)) {
+                now.changes.back() = std::move(touched->changes);
+                return touched->lobe;
+            }
+        }
+        same = false;
+        return make_lobe(layer);
+    };
+    now.distribution = std::make_shared<const FacetDistribution>(distribution, lobe_of);
+    now.same_lobes = same && now.changes.size() == distribution_->lobes().size();
+    return now;
+}
+
+bool Baker::sum_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers) {
+    if (made.options.quality != Quality::draft || !draft_ || !now.same_lobes || made.options.size ||
+        draft_->area->distribution() != distribution_ || draft_->plan.symmetry != made.plan.symmetry)
+        return false;
+    const auto area =
+        std::make_shared<const AreaTable>(*draft_->area, now.distribution, now.changes, workers);
+    const AxisError error = area->measure(material);
+    if (error.all.worst > std::max(outgrown * draft_->fitted_error, outgrown_least)) return false;
+    made.area = area;
+    made.area_error = error;
+    made.fitted_error = draft_->fitted_error;
+    made.plan.nodes.w = draft_->plan.nodes.w;
+    made.plan.nodes.psi = draft_->plan.nodes.psi;
+    return true;
+}
+
+void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers) {
+    area_origin_ = TableOrigin::summed;
+    if (sum_area(made, now, material, workers)) return;
+    area_origin_ = TableOrigin::baked;
+    const Symmetry symmetry = made.plan.symmetry.symmetry;
+    const bool fixed = made.options.quality == Quality::draft || made.options.size.has_value();
+    const double target =
+        fixed ? std::numeric_limits<double>::infinity() : area_part * made.options.tolerance;
+    const Fitted<AreaTable> fitted = fit_table({made.plan.nodes.w, made.plan.nodes.psi}, symmetry, target,
+                                               fixed ? 0 : area_floats_most, [&](TableNodes nodes) {
+                                                   Fitted<AreaTable> result;
+                                                   result.nodes = nodes;
+                                                   result.table = std::make_shared<const AreaTable>(
+                                                       now.distribution, made.plan.symmetry,
+                                                       TableSize{nodes.polar, nodes.azimuth, 0, 0}, workers);
+                                                   result.error = result.table->measure(material);
+                                                   return result;
+                                               });
+    made.area = fitted.table;
+    made.area_error = fitted.error;
+    made.fitted_error = fitted.error.all.worst;
+    made.tried_area = fitted.tried;
+    made.plan.nodes.w = fitted.nodes.polar;
+    made.plan.nodes.psi = fitted.nodes.azimuth;
+}
+
+void Baker::make_albedo(Kept& made, const Shading<double>& material, Workers& workers) {
+    albedo_origin_ = TableOrigin::baked;
+    const double never = std::numeric_limits<double>::infinity();
+    const double tolerance = made.options.tolerance;
+    const bool draft = made.options.quality == Quality::draft, fixed = draft || made.options.size.has_value();
+    const AlbedoEffort effort = draft ? AlbedoEffort{never, 0.3 * tolerance, draft_probes}
+                                      : AlbedoEffort{0.2 * tolerance, 0.05 * tolerance, final_probes};
+    const double target =
+        fixed ? never
+              : std::max(albedo_part * tolerance - made.area_error.all.root_mean_square, 0.3 * tolerance);
+    const int limit =
+        (floats_most - static_cast<int>(made.area->data().size())) / (1 + made.plan.fresnel_tables);
+    const Fitted<AlbedoTable> fitted = fit_table(
+        {made.plan.nodes.v, made.plan.nodes.rho}, made.plan.symmetry.symmetry, target, fixed ? 0 : limit,
+        [&](TableNodes nodes) {
+            BakePlan plan = made.plan;
+            plan.nodes.v = nodes.polar;
+            plan.nodes.rho = nodes.azimuth;
+            Fitted<AlbedoTable> result;
+            result.nodes = nodes;
+            result.table = std::make_shared<const AlbedoTable>(*made.area, material, plan, effort, workers);
+            result.error = result.table->error();
+            return result;
+        });
+    made.albedo = fitted.table;
+    made.tried_albedo = fitted.tried;
+    made.plan.nodes.v = fitted.nodes.polar;
+    made.plan.nodes.rho = fitted.nodes.azimuth;
+}
+
+// Keeps of the tables before what the design does not change.
+void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const Followed& now,
+                          const Shading<double>& material, Workers& workers) {
+    const bool keep_area =
+        before && same_wishes(before->options, made.options) && same_area(before->design, made.design);
+    const bool keep_albedo = keep_area && before->albedo && same_albedo(before->design, made.design);
+    area_origin_ = albedo_origin_ = TableOrigin::kept;
+    if (keep_area) {
+        made.area = before->area;
+        made.area_error = before->area_error;
+        made.fitted_error = before->fitted_error;
+        made.tried_area = before->tried_area;
+        made.plan.nodes.w = before->plan.nodes.w;
+        made.plan.nodes.psi = before->plan.nodes.psi;
+    } else {
+        make_area(made, now, material, workers);
+    }
+    if (keep_albedo) {
+        made.albedo = before->albedo;
+        made.tried_albedo = before->tried_albedo;
+        made.plan.nodes.v = before->plan.nodes.v;
+        made.plan.nodes.rho = before->plan.nodes.rho;
+    } else if (made.plan.albedo) {
+        make_albedo(made, material, workers);
+    }
+}
+
+std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions& options,
+                                          std::stop_token stop, const std::function<void(double)>& progress) {
+    const auto begin = std::chrono::steady_clock::now();
+    Workers workers(options.threads, std::move(stop));
+    auto report = [&](double done) {
+        workers.check();
+        if (progress) progress(done);
+    };
+    report(0);
+    Kept made{.design = named,
+              .options = options,
+              .plan = {},
+              .area = nullptr,
+              .area_error = {},
+              .albedo = nullptr,
+              .tried_area = {},
+              .tried_albedo = {}};
+    made.design.distribution = without_names(named.distribution);
+    made.plan = plan_bake(named, {options.quality, options.albedo, options.size});
+    const Followed now = workers.run([&] { return follow(made.design.distribution); });
+    report(0.1);
+    auto tables = std::make_shared<Tables>();
+    describe_material(named, *now.distribution, tables->shading);
+    tables->shading.kinds.albedo = made.plan.albedo;
+    std::optional<Kept>& slot = options.quality == Quality::draft ? draft_ : final_;
+    choose_tables(made, slot, now, tables->shading, workers);
+    report(0.9);
+    assemble(made, *tables);
+    before_ = made.design.distribution;
+    distribution_ = made.area->distribution();
+    slot = std::move(made);
+    tables->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    report(1);
+    return tables;
+}
+
+void Baker::assemble(const Kept& made, Tables& tables) {
+    Shading<double>& shading = tables.shading;
+    shading = made.area->shading(shading);
+    tables.plan = made.plan;
+    tables.distribution = made.area->distribution();
+    tables.mean = tables.distribution->mean();
+    tables.data = made.area->data();
+    tables.tolerance = made.options.tolerance;
+    tables.errors.area = made.area_error.all;
+    tables.tried_area = made.tried_area;
+    if (made.albedo) {
+        AlbedoTable::place(shading, made.plan, static_cast<int>(tables.data.size()));
+        tables.data.insert(tables.data.end(), made.albedo->data().begin(), made.albedo->data().end());
+        shading.data = tables.data.data();
+        const AlbedoIntegrals integrals = integrate_albedo(shading);
+        tables.mean_albedo = integrals.mean;
+        shading.surface.coupling = integrals.coupling;
+        // An error of g is one of P in R = E[F P], so that it adds its mean at the most.
+        tables.errors.albedo = made.albedo->error().all;
+        tables.errors.albedo.worst += tables.errors.area.root_mean_square;
+        tables.errors.albedo.root_mean_square += tables.errors.area.root_mean_square;
+        tables.tried_albedo = made.tried_albedo;
+    }
+    describe_layers(made.design.distribution, *tables.distribution, shading, tables.data);
+    shading.data = tables.data.data();
+}
+
+}  // namespace nacre

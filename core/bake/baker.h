@@ -1,0 +1,66 @@
+// Bakes design after design and bakes again only what has changed.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/bake/albedo_table.h"
+#include "core/bake/bake.h"
+
+namespace nacre {
+
+// What became of a table: baked anew; summed again from each lobe's own g, and what a brush added; or kept.
+enum class TableOrigin { baked, summed, kept };
+
+// One worker's memory of its last designs. A final bake gives the same bits as bake() whatever was baked
+// before: it keeps a table only where nothing that the table reads has changed (a colour; with Schlick's
+// Fresnel, f0). A draft also sums g again, on the directions of the draft before, after a change of weights
+// or a touch of the brush; its measured error tells what that costs.
+class Baker {
+  public:
+    // As bake(), see bake/bake.h.
+    std::shared_ptr<const Tables> bake(const Design& design, const BakeOptions& options = {},
+                                       std::stop_token stop = {},
+                                       const std::function<void(double)>& progress = {});
+
+    // Of the last bake; R counts as kept where the design needs none.
+    TableOrigin area_origin() const { return area_origin_; }
+    TableOrigin albedo_origin() const { return albedo_origin_; }
+
+  private:
+    // The last tables of one quality and what they were made for.
+    struct Kept {
+        Design design;
+        BakeOptions options;
+        BakePlan plan;
+        std::shared_ptr<const AreaTable> area;
+        AxisError area_error;
+        double fitted_error = 0;  // worst of g when the grid was fitted to p
+        std::shared_ptr<const AlbedoTable> albedo;
+        std::vector<TriedSize> tried_area, tried_albedo;
+    };
+
+    // What lobes the new distribution shares with the one before.
+    struct Followed {
+        std::shared_ptr<const FacetDistribution> distribution;
+        std::vector<std::vector<Facet>> changes;  // of each lobe, what a brush has added
+        bool same_lobes = false;                  // in the same places but for the changes
+    };
+
+    Followed follow(const Distribution& distribution) const;
+    void make_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers);
+    bool sum_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers);
+    void choose_tables(Kept& made, const std::optional<Kept>& before, const Followed& now,
+                       const Shading<double>& material, Workers& workers);
+    void make_albedo(Kept& made, const Shading<double>& material, Workers& workers);
+
+    static void assemble(const Kept& made, Tables& tables);
+
+    Distribution before_;  // what distribution_ was made from
+    std::shared_ptr<const FacetDistribution> distribution_;
+    std::optional<Kept> draft_, final_;
+    TableOrigin area_origin_ = TableOrigin::baked, albedo_origin_ = TableOrigin::baked;
+};
+
+}  // namespace nacre

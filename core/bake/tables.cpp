@@ -1,0 +1,48 @@
+#include "core/bake/tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nacre {
+
+std::size_t Tables::table_floats() const {
+    const std::size_t area =
+        static_cast<std::size_t>(plan.nodes.psi) * static_cast<std::size_t>(plan.nodes.w);
+    const std::size_t albedos = plan.albedo ? 1 + static_cast<std::size_t>(plan.fresnel_tables) : 0;
+    const std::size_t albedo =
+        static_cast<std::size_t>(plan.nodes.rho) * static_cast<std::size_t>(plan.nodes.v);
+    return area + albedos * albedo;
+}
+
+double area_error(const Shading<double>& shading, dvec3 k, double exact) {
+    const auto spot = shading.table_spot(k);
+    const double read = shading.projected_area(spot);
+    const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
+    const double divisor = std::max({exact, floor, 0.05 * spot.q});
+    return divisor > 0 ? std::fabs(std::fmax(read, floor) - std::fmax(exact, floor)) / divisor : 0;
+}
+
+double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels) {
+    const auto spot = shading.table_spot(k);
+    const auto albedo = shading.albedo_spot(k, spot);
+    const double full = shading.full_albedo(albedo),
+                 kept = shading.clamped_part(k, shading.projected_area(spot));
+    double error = std::fabs(full * kept - exact[0]);
+    const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
+    for (int c = 0; c < channels; ++c)
+        error = std::fmax(error, std::fabs(shading.fresnel_albedo(albedo, full, f[c], c) * kept -
+                                           exact[static_cast<std::size_t>(c + 1)]));
+    return error;
+}
+
+TableError summarise(const std::vector<double>& errors) {
+    TableError error{.directions = static_cast<int>(errors.size())};
+    for (const double e : errors) {
+        error.worst = std::fmax(error.worst, e);
+        error.root_mean_square += e * e / error.directions;
+    }
+    error.root_mean_square = std::sqrt(error.root_mean_square);
+    return error;
+}
+
+}  // namespace nacre
