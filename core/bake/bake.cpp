@@ -33,7 +33,7 @@ class Bake {
                                      : tbb::task_arena::automatic),
           tables_(std::make_shared<Tables>()) {
         tables_->tolerance = options.tolerance;
-        tables_->plan = plan_bake(design, {options.quality, options.albedo, options.size});
+        tables_->plan = plan_bake(design, {options.quality, options.albedo, options.size, options.symmetry});
     }
 
     std::shared_ptr<const Tables> run() {
@@ -194,10 +194,12 @@ std::size_t Tables::table_floats() const {
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double exact) {
-    const auto spot = shading.table_spot(k);
-    const double read = shading.projected_area(k, spot);
+    return area_error(shading, k, shading.projected_area(k, shading.table_spot(k)), exact);
+}
+
+double area_error(const Shading<double>& shading, dvec3 k, double read, double exact) {
     const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
-    const double divisor = std::max({exact, floor, 0.05 * spot.q});
+    const double divisor = std::max({exact, floor, 0.05 * shading.table_spot(k).q});
     return divisor > 0 ? std::fabs(std::fmax(read, floor) - std::fmax(exact, floor)) / divisor : 0;
 }
 

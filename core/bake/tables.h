@@ -48,4 +48,8 @@ struct Tables {
 // p that leans to one side turns away almost whole.
 double area_error(const Shading<double>& shading, dvec3 k, double exact);
 
+// The same error of a g that was read from anywhere, so that every way of storing g is measured alike;
+// `shading` holds the design's finished tables, which tell N, the clamp and p's own width.
+double area_error(const Shading<double>& shading, dvec3 k, double read, double exact);
+
 }  // namespace nacre

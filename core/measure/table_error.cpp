@@ -16,17 +16,10 @@ using std::numbers::pi;
 constexpr double grazing = 1e-5;  // the smallest c
 
 double albedo_error(const Tables& tables, const Reference& reference, dvec3 k, const std::stop_token& stop) {
-    const Shading<double>& shading = tables.shading;
-    const auto spot = shading.table_spot(k);
-    const AlbedoValues truth = reference.albedo(k, stop);
-    const double full = shading.full_albedo(spot),
-                 kept = shading.clamped_part(k, shading.projected_area(k, spot));
-    double error = std::fabs(full * kept - truth[0]);
-    const int channels = tables.plan.fresnel_tables;
-    const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
-    for (int c = 0; c < channels; ++c)
-        error = std::fmax(error, std::fabs(shading.fresnel_albedo(spot, full, f[c], c) * kept -
-                                           truth[static_cast<std::size_t>(c + 1)]));
+    const AlbedoValues truth = reference.albedo(k, stop), read = baked_albedo(tables, k);
+    double error = 0;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(tables.plan.fresnel_tables); ++i)
+        error = std::fmax(error, std::fabs(read[i] - truth[i]));
     return error;
 }
 
@@ -45,6 +38,19 @@ std::vector<dvec3> probe_directions(int count) {
         directions.push_back({sine * std::cos(phi), sine * std::sin(phi), c});
     }
     return directions;
+}
+
+AlbedoValues baked_albedo(const Tables& tables, dvec3 k) {
+    const Shading<double>& shading = tables.shading;
+    const auto spot = shading.table_spot(k);
+    const double full = shading.full_albedo(spot);
+    const double kept = shading.clamped_part(k, shading.projected_area(k, spot));
+    const int channels = tables.plan.fresnel_tables;
+    const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
+    AlbedoValues values{full * kept};
+    for (int c = 0; c < channels; ++c)
+        values[static_cast<std::size_t>(c + 1)] = shading.fresnel_albedo(spot, full, f[c], c) * kept;
+    return values;
 }
 
 TableError summarise(const std::vector<double>& errors) {

@@ -22,6 +22,9 @@ struct ProbeCounts {
 TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop = {},
                                  const ProbeCounts& probes = {});
 
+// R as the tables hold it, with F = 1 and with each Fresnel factor that is baked; k.z >= 0.
+AlbedoValues baked_albedo(const Tables& tables, dvec3 k);
+
 // Worst and root mean square.
 TableError summarise(const std::vector<double>& errors);
 
