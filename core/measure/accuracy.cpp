@@ -66,12 +66,17 @@ class AccuracyRun {
         report(0.1);
         const std::vector<Way> ways = all_ways(specular_, stop_);
         std::vector<WayAccuracy> result;
+        const double step = 0.7 / (2.0 * static_cast<double>(ways.size()));
+        double done = 0.1;
         for (const Way& way : ways) {
-            result.push_back({way.name, way.about, {}, way.left_out});
-            std::vector<AccuracyPoint>& points = result.back().points;
-            if (way.area) measure(way, Wanted::area, truth, points);
-            if (way.albedo) measure(way, Wanted::area_and_albedo, truth, points);
-            report(0.1 + 0.7 * static_cast<double>(result.size()) / static_cast<double>(ways.size()));
+            result.push_back({way.kind, way.name, way.about, {}, way.left_out});
+            for (const Wanted wanted : {Wanted::area, Wanted::area_and_albedo}) {
+                const bool serves = wanted == Wanted::area ? way.area : way.albedo;
+                if (serves)
+                    measure(way, wanted, truth, result.back().points,
+                            [&](double part) { report(done + step * part); });
+                report(done += step);
+            }
         }
         return result;
     }
@@ -82,8 +87,8 @@ class AccuracyRun {
         if (progress_) progress_(done);
     }
 
-    void measure(const Way& way, Wanted wanted, const Truth& truth,
-                 std::vector<AccuracyPoint>& points) const {
+    void measure(const Way& way, Wanted wanted, const Truth& truth, std::vector<AccuracyPoint>& points,
+                 const std::function<void(double)>& inner) const {
         for (const WaySetting& setting : way.settings) {
             const auto timed = time_from_cold([&] { return setting.make(wanted, stop_); });
             const StoredTable& table = timed.result;
@@ -97,6 +102,8 @@ class AccuracyRun {
                 add(Quantity::zero_albedo, truth.albedo_error_of(table, 1));
             }
             if (timed.seconds > options_.longest) return;
+            inner(static_cast<double>(&setting - way.settings.data() + 1) /
+                  static_cast<double>(way.settings.size()));
         }
     }
 

@@ -9,6 +9,7 @@
 #include "core/bake/tables.h"
 #include "core/design/design.h"
 #include "core/measure/omission_cost.h"
+#include "core/measure/way.h"
 
 namespace nacre {
 
@@ -29,6 +30,7 @@ struct AccuracyPoint {
 };
 
 struct WayAccuracy {
+    WayKind kind;
     std::string name;
     std::string about;
     std::vector<AccuracyPoint> points;  // in the order they were made, rising in cost

@@ -13,7 +13,7 @@ struct Timed {
     double seconds;
 };
 
-// The shortest of several runs: up to five, until they take 0.2 s together.
+// The shortest of several runs: up to five, until they take half a second together.
 template <class Make>
 auto time_from_cold(const Make& make) -> Timed<decltype(make())> {
     using Clock = std::chrono::steady_clock;
@@ -25,7 +25,7 @@ auto time_from_cold(const Make& make) -> Timed<decltype(make())> {
     };
     Timed<decltype(make())> best = once();
     double total = best.seconds;
-    for (int run = 1; run < 5 && total < 0.2; ++run) {
+    for (int run = 1; run < 5 && total < 0.5; ++run) {
         const double seconds = once().seconds;
         total += seconds;
         best.seconds = std::min(best.seconds, seconds);

@@ -29,7 +29,8 @@ StoredTable make_table(const Design& design, double tolerance, Wanted wanted, co
 }  // namespace
 
 Way cubature_way(const Design& design) {
-    Way way{.name = "200-point grid, adaptive cubature",
+    Way way{.kind = WayKind::cubature,
+            .name = "200-point grid, adaptive cubature",
             .about =
                 "the paper's 10 x 20 grid in theta and phi, bilinear; every node by adaptive Gauss-Kronrod "
                 "integration in the lobes' own coordinates to an absolute tolerance; the texels of a picture "

@@ -20,6 +20,7 @@ StoredTable make_table(const Design& design, int degree, bool round, const std::
 
 Way harmonic_way(const Design& design, const std::stop_token& stop) {
     Way way{
+        .kind = WayKind::harmonics,
         .name = "spherical harmonics",
         .about =
             "g as harmonics of p, each times the clamped cosine's factor (Ramamoorthi & Hanrahan 2001): a "

@@ -71,6 +71,7 @@ StoredTable make_table(const Design& design, int samples, Wanted wanted, const s
 
 Way monte_carlo_way(const Design& design) {
     Way way{
+        .kind = WayKind::monte_carlo,
         .name = "200-point grid, Monte Carlo",
         .about =
             "the paper's 10 x 20 grid in theta and phi, bilinear; every node from so many samples, facets "

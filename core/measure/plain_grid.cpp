@@ -74,8 +74,7 @@ double PlainGrid::value(const std::vector<float>& nodes, dvec3 k) const {
 }
 
 std::string PlainGrid::label() const {
-    const std::string whole = fmt::format("{} x {} nodes", polar_, azimuths_);
-    return symmetry_ == Symmetry::none ? whole : fmt::format("{}, {} kept", whole, size());
+    return fmt::format("{} of {} x {} nodes", size(), polar_, azimuths_);
 }
 
 }  // namespace nacre

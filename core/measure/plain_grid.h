@@ -22,7 +22,7 @@ class PlainGrid {
     // The nodes' values in between; k.z >= 0.
     double value(const std::vector<float>& nodes, dvec3 k) const;
 
-    // "10 x 20 nodes", and how many of them are kept.
+    // "60 of 10 x 20 nodes".
     std::string label() const;
 
   private:

@@ -23,6 +23,7 @@ StoredTable make_table(const Design& design, const PlainGrid& grid, Wanted wante
 
 Way plain_grid_way(const Design& design) {
     Way way{
+        .kind = WayKind::plain_grid,
         .name = "plain grid, exact nodes",
         .about =
             "grids even in theta and phi, bilinear, with exact g in the nodes and R by the bake's own rule "

@@ -37,6 +37,7 @@ TableSize size_of(int polar, Symmetry symmetry) {
 
 Way stretched_way(const Design& design) {
     Way way{
+        .kind = WayKind::stretched,
         .name = "stretched tables",
         .about =
             "directions stretched by p's own width, bilinear (shaders/shared/tables.glsl); exact g in the "
@@ -52,6 +53,7 @@ Way stretched_way(const Design& design) {
 
 Way bake_way(const Design& design) {
     return {
+        .kind = WayKind::bake,
         .name = "Nacre's bake",
         .about =
             "the stretched tables as `bake` chooses their size: the draft that is shown while a slider is "

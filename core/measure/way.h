@@ -28,7 +28,10 @@ struct WaySetting {
     std::function<StoredTable(Wanted wanted, const std::stop_token& stop)> make;
 };
 
+enum class WayKind { monte_carlo, cubature, plain_grid, stretched, bake, harmonics };
+
 struct Way {
+    WayKind kind;
     std::string name;
     std::string about;  // how it computes and how it stores
     std::vector<WaySetting> settings = {};
