@@ -56,14 +56,19 @@ std::optional<ShownPoint> last_of(const std::vector<ShownPoint>& points) {
     return points.empty() ? std::nullopt : std::optional(points.back());
 }
 
+std::string ratio_text(double ratio) {
+    return fmt::format("{:.{}f}", ratio, ratio < 0.95 ? 2 : ratio < 9.5 ? 1 : 0);
+}
+
 // The first plain grid that is no worse than `goal`, by its cost over that of `goal`.
 std::string as_good(const std::vector<ShownPoint>& plain, const std::optional<ShownPoint>& goal) {
     if (!goal) return "-";
     for (const ShownPoint& point : plain)
         if (point.error.worst <= goal->error.worst)
-            return fmt::format("{:.2g} x bytes, {:.2g} x time",
-                               static_cast<double>(point.bytes) / static_cast<double>(goal->bytes),
-                               point.seconds / goal->seconds);
+            return fmt::format(
+                "{} x bytes, {} x time",
+                ratio_text(static_cast<double>(point.bytes) / static_cast<double>(goal->bytes)),
+                ratio_text(point.seconds / goal->seconds));
     return "none of those measured";
 }
 

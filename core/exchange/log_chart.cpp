@@ -53,7 +53,7 @@ class Drawing {
             for (const auto* points : {&line.points, &line.faint})
                 for (const ChartPoint& point : *points) {
                     xs.push_back(point.x);
-                    ys.push_back(std::clamp(point.y, chart.y_least, chart.y_most));
+                    ys.push_back(std::min(kept(point.y), chart.y_most));
                 }
         x_ = with_margin(range_of(xs));
         y_ = whole_decades(range_of(ys));
@@ -70,11 +70,12 @@ class Drawing {
 
   private:
     double x_at(double value) const { return left + (right - left) * x_.place(value); }
-    // Far above the plot no further than the clip needs.
-    double y_at(double value) const {
-        const double kept = std::clamp(value, chart_.y_least, 1e3 * chart_.y_most);
-        return foot - (foot - top) * y_.place(kept);
+    // Far above the plot no further than the clip needs; what is no number stands there too.
+    double kept(double y) const {
+        const double most = 1e3 * chart_.y_most;
+        return y <= most ? std::max(y, chart_.y_least) : most;
     }
+    double y_at(double value) const { return foot - (foot - top) * y_.place(kept(value)); }
     bool inside(const ChartPoint& point) const { return point.y <= chart_.y_most; }
 
     void write(double x, double y, const std::string& text, const char* style) {

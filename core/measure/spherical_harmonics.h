@@ -35,8 +35,8 @@ class HarmonicBasis {
     std::vector<int> degrees_;
 };
 
-// What max(0, cos) does to a harmonic of degree l when it is convolved with it (Ramamoorthi & Hanrahan 2001,
-// eq. 19; pi, 2 pi/3, pi/4, 0, -pi/24, ...).
+// What a convolution with max(0, cos) multiplies a harmonic of degree l by: pi, 2 pi/3, pi/4, 0, -pi/24, ...
+// (Ramamoorthi & Hanrahan 2001, An efficient representation for irradiance environment maps)
 double clamped_cosine_factor(int degree);
 
 }  // namespace nacre
