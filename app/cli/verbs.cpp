@@ -11,7 +11,7 @@ std::span<const Verb> verbs() {
         {"render", "the design on a sphere, as a picture", declare_render},
         {"screenshot", "the designer's window, as a picture", declare_screenshot},
         {"check", "the physics of a design; exit code 1 when a check fails", declare_check},
-        {"report", "error against run time; not in this version", declare_unarrived},
+        {"report", "error against run time of each way of computing g and R", declare_report},
         {"export", "a design in another program's format", declare_export},
         {"import", "a design from another program's file; not in this version", declare_unarrived},
         {"gallery", "every design of a folder rendered, with a contact sheet", declare_gallery},

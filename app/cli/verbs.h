@@ -31,6 +31,7 @@ void declare_bake(CLI::App& command, Action& action);
 void declare_render(CLI::App& command, Action& action);
 void declare_screenshot(CLI::App& command, Action& action);
 void declare_check(CLI::App& command, Action& action);
+void declare_report(CLI::App& command, Action& action);
 void declare_export(CLI::App& command, Action& action);
 void declare_gallery(CLI::App& command, Action& action);
 void declare_unarrived(CLI::App& command, Action& action);

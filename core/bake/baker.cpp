@@ -47,7 +47,7 @@ bool same_albedo(const Design& a, const Design& b) {
 }
 
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
-    return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size;
+    return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size && a.symmetry == b.symmetry;
 }
 
 }  // namespace
@@ -207,7 +207,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
               .tried_area = {},
               .tried_albedo = {}};
     made.design.distribution = without_names(named.distribution);
-    made.plan = plan_bake(named, {options.quality, options.albedo, options.size});
+    made.plan = plan_bake(named, {options.quality, options.albedo, options.size, options.symmetry});
     const Followed now = workers.run([&] { return follow(made.design.distribution); });
     report(0.1);
     auto tables = std::make_shared<Tables>();

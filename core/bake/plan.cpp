@@ -22,35 +22,40 @@ bool uses_modulation(const Design& design) {
 }
 
 void list_omissions(const Design& design, BakePlan& plan) {
-    auto leave_out = [&](const char* what, const char* why) { plan.omissions.push_back({what, why}); };
+    auto leave_out = [&](Part part, const char* what, const char* why) {
+        plan.omissions.push_back({part, what, why});
+    };
     switch (plan.symmetry.symmetry) {
         case Symmetry::isotropic:
-            leave_out("azimuth of every table", "p depends on theta alone");
+            leave_out(Part::symmetric_nodes, "azimuth of every table", "p depends on theta alone");
             break;
         case Symmetry::quarter:
-            leave_out("three quarters of every table", "p has two mirror planes");
+            leave_out(Part::symmetric_nodes, "three quarters of every table", "p has two mirror planes");
             break;
         case Symmetry::half:
-            leave_out("half of every table", "p has one mirror plane");
+            leave_out(Part::symmetric_nodes, "half of every table", "p has one mirror plane");
             break;
         case Symmetry::none:
             break;
     }
-    if (!plan.albedo) leave_out("albedo tables R0 and R1", "no diffuse term or light reads R");
-    if (plan.albedo && plan.fresnel_tables == 0) leave_out("Fresnel albedo table", "F = 1");
-    if (plan.fresnel_tables == 1) leave_out("Fresnel albedo for each colour", "Schlick's R is linear in f0");
+    if (!plan.albedo) leave_out(Part::albedo, "albedo tables R0 and R1", "no diffuse term or light reads R");
+    if (plan.albedo && plan.fresnel_tables == 0)
+        leave_out(Part::fresnel_table, "Fresnel albedo table", "F = 1");
+    if (plan.fresnel_tables == 1)
+        leave_out(Part::fresnel_colours, "Fresnel albedo for each colour", "Schlick's R is linear in f0");
     if (!uses<PaintedLobe>(design) && !uses_modulation(design))
-        leave_out("pictures", "no layer is painted or modulated");
+        leave_out(Part::pictures, "pictures", "no layer is painted or modulated");
     const FresnelKind fresnel = kind_of(design.fresnel);
     if (fresnel != FresnelKind::conductor)
-        leave_out("conductor arithmetic", "the Fresnel model does not need it");
-    if (fresnel == FresnelKind::none) leave_out("Fresnel factor", "F = 1");
+        leave_out(Part::conductor, "conductor arithmetic", "the Fresnel model does not need it");
+    if (fresnel == FresnelKind::none) leave_out(Part::fresnel, "Fresnel factor", "F = 1");
     const VisibilityKind visibility = kind_of(design.shadowing.model);
     if (visibility != VisibilityKind::correlated)
-        leave_out("azimuth correlation t(phi)", "shadowing is not correlated");
+        leave_out(Part::azimuth_correlation, "azimuth correlation t(phi)", "shadowing is not correlated");
     if (visibility != VisibilityKind::smith_correlated)
-        leave_out("height correlation", "shadowing is not smith_correlated");
-    if (kind_of(design.diffuse) == DiffuseKind::none) leave_out("diffuse term", "the design has none");
+        leave_out(Part::height_correlation, "height correlation", "shadowing is not smith_correlated");
+    if (kind_of(design.diffuse) == DiffuseKind::none)
+        leave_out(Part::diffuse, "diffuse term", "the design has none");
 }
 
 }  // namespace
@@ -58,6 +63,7 @@ void list_omissions(const Design& design, BakePlan& plan) {
 BakePlan plan_bake(const Design& design, const PlanOptions& options) {
     BakePlan plan;
     plan.symmetry = find_symmetry(design.distribution);
+    if (options.symmetry) plan.symmetry.symmetry = std::max(plan.symmetry.symmetry, *options.symmetry);
     plan.quality = options.quality;
     const DiffuseKind diffuse = kind_of(design.diffuse);
     plan.albedo = options.albedo || diffuse == DiffuseKind::coupled || diffuse == DiffuseKind::metal;

@@ -11,7 +11,22 @@
 
 namespace nacre {
 
+// What a bake or a shader can do without.
+enum class Part {
+    symmetric_nodes,  // of every table
+    albedo,
+    fresnel_table,
+    fresnel_colours,  // a Fresnel table for each
+    pictures,
+    conductor,
+    fresnel,
+    azimuth_correlation,
+    height_correlation,
+    diffuse
+};
+
 struct Omission {
+    Part part;
     std::string what;
     std::string why;
 };
@@ -28,7 +43,8 @@ struct BakePlan {
 struct PlanOptions {
     Quality quality = Quality::final;
     bool albedo = false;  // R is wanted even if no diffuse term reads it (ambient light, the `tables` verb)
-    std::optional<TableSize> size = {};  // exactly so many nodes
+    std::optional<TableSize> size = {};     // exactly so many nodes
+    std::optional<Symmetry> symmetry = {};  // use no more of it than this, though p has more
 };
 
 BakePlan plan_bake(const Design& design, const PlanOptions& options);

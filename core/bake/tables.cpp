@@ -15,23 +15,32 @@ std::size_t Tables::table_floats() const {
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double exact) {
-    const auto spot = shading.table_spot(k);
-    const double read = shading.projected_area(spot);
+    return area_error(shading, k, shading.projected_area(shading.table_spot(k)), exact);
+}
+
+double area_error(const Shading<double>& shading, dvec3 k, double read, double exact) {
     const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
-    const double divisor = std::max({exact, floor, 0.05 * spot.q});
+    const double divisor = std::max({exact, floor, 0.05 * shading.table_spot(k).q});
     return divisor > 0 ? std::fabs(std::fmax(read, floor) - std::fmax(exact, floor)) / divisor : 0;
 }
 
-double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels) {
+Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels) {
     const auto spot = shading.table_spot(k);
     const auto albedo = shading.albedo_spot(k, spot);
-    const double full = shading.full_albedo(albedo),
-                 kept = shading.clamped_part(k, shading.projected_area(spot));
-    double error = std::fabs(full * kept - exact[0]);
+    const double full = shading.full_albedo(albedo);
+    const double kept = shading.clamped_part(k, shading.projected_area(spot));
     const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
+    Values<4> values{full * kept};
     for (int c = 0; c < channels; ++c)
-        error = std::fmax(error, std::fabs(shading.fresnel_albedo(albedo, full, f[c], c) * kept -
-                                           exact[static_cast<std::size_t>(c + 1)]));
+        values[static_cast<std::size_t>(c + 1)] = shading.fresnel_albedo(albedo, full, f[c], c) * kept;
+    return values;
+}
+
+double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels) {
+    const Values<4> read = read_albedo(shading, k, channels);
+    double error = 0;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(channels); ++i)
+        error = std::fmax(error, std::fabs(read[i] - exact[i]));
     return error;
 }
 

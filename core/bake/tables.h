@@ -62,8 +62,14 @@ struct Tables {
 // p that leans to one side turns away almost whole.
 double area_error(const Shading<double>& shading, dvec3 k, double exact);
 
-// Error of R at k, of F = 1 and of each of the Fresnel factors, whichever is largest; `exact` as AlbedoRule
-// gives it.
+// The same error of a g that was read from anywhere, so that every way of storing g is measured alike;
+// `shading` holds the design's finished tables, which tell N, the clamp and p's own width.
+double area_error(const Shading<double>& shading, dvec3 k, double read, double exact);
+
+// R at k as the tables hold it, with F = 1 and with each of the Fresnel factors; k.z >= 0.
+Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels);
+
+// Error of that, whichever factor errs most; `exact` as AlbedoRule gives it.
 double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels);
 
 // Worst and root mean square.

@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 using Pair = Values<2>;
 
-constexpr double tolerance = 1e-9;
+constexpr double check_tolerance = 1e-9;
 constexpr int depth = 18;
 constexpr int grid_side = 600;  // points along azimuth and along the angle from the axis, with a picture
 
@@ -34,16 +34,16 @@ std::vector<LobeSpan> spans_of(const Layer& layer, const PlacedLobe& placed) {
 // p and (k.h)+ p over one hemisphere, the second divided by `unit`.
 class SpanIntegral {
   public:
-    SpanIntegral(const PlacedLobe& placed, const LobeSpan& span, dvec3 k, double unit,
+    SpanIntegral(const PlacedLobe& placed, const LobeSpan& span, dvec3 k, double unit, double tolerance,
                  const std::stop_token& stop)
-        : walk_(placed, span, k), span_(span), k_(k), unit_(unit), stop_(stop) {}
+        : walk_(placed, span, k), span_(span), k_(k), unit_(unit), tolerance_(tolerance), stop_(stop) {}
 
     Pair adaptive() const {
         Pair sum{};
         for (int half = 0; half < 2; ++half) {
             const Pair part =
                 integrate_adaptively<2>([&](double psi) { return over_chi(psi); }, walk_.start() + half * pi,
-                                        walk_.start() + (half + 1) * pi, tolerance, depth);
+                                        walk_.start() + (half + 1) * pi, tolerance_, depth);
             for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
         }
         return sum;
@@ -85,7 +85,7 @@ class SpanIntegral {
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
             if (cuts[i] < 0 || cuts[i + 1] > 0.5 * pi || cuts[i + 1] <= cuts[i]) continue;
             const Pair part = integrate_adaptively<2>([&](double chi) { return at(psi, chi); }, cuts[i],
-                                                      cuts[i + 1], 0.2 * tolerance, depth);
+                                                      cuts[i + 1], 0.2 * tolerance_, depth);
             for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part[c];
         }
         return sum;
@@ -94,7 +94,7 @@ class SpanIntegral {
     LobeWalk walk_;
     LobeSpan span_;
     dvec3 k_;
-    double unit_;
+    double unit_, tolerance_;
     const std::stop_token& stop_;
 };
 
@@ -113,11 +113,22 @@ FacetIntegral integrate_facets(const Distribution& design, const FacetDistributi
     for (const PlacedLobe& placed : distribution.lobes()) {
         const Layer& layer = design.layers[placed.layer];
         for (const LobeSpan& span : spans_of(layer, placed)) {
-            const SpanIntegral integral(placed, span, k, unit, stop);
+            const SpanIntegral integral(placed, span, k, unit, check_tolerance, stop);
             const Pair values = holds_picture(layer) ? integral.on_grid() : integral.adaptive();
             sum.whole += values[0];
             sum.visible += values[1] * unit;
         }
+    }
+    return sum;
+}
+
+double AdaptiveArea::operator()(dvec3 k, const std::stop_token& stop) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+        const PlacedLobe& placed = distribution_.lobes()[i];
+        for (const Facet& facet : facets_[i]) sum += facet.mass * std::fmax(glm::dot(facet.h, k), 0.0);
+        for (const LobeSpan& span : placed.lobe->spans())
+            sum += SpanIntegral(placed, span, k, 1, tolerance_, stop).adaptive()[1];
     }
     return sum;
 }

@@ -17,6 +17,22 @@ struct FacetIntegral {
 FacetIntegral integrate_facets(const Distribution& design, const FacetDistribution& distribution, dvec3 k,
                                std::stop_token stop = {});
 
+// g(k) alone to an absolute tolerance, by the same adaptive quadrature; the facets of a lobe that has no
+// smooth form are summed one by one.
+class AdaptiveArea {
+  public:
+    AdaptiveArea(const FacetDistribution& distribution, double tolerance)
+        : distribution_(distribution), tolerance_(tolerance), facets_(distribution.facets(0)) {}
+
+    // Throws BakeCancelled soon after a stop is requested.
+    double operator()(dvec3 k, const std::stop_token& stop) const;
+
+  private:
+    const FacetDistribution& distribution_;
+    double tolerance_;
+    std::vector<std::vector<Facet>> facets_;
+};
+
 // A picture takes part.
 bool holds_picture(const Distribution& design);
 

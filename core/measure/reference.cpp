@@ -17,11 +17,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr double albedo_tolerance = 5e-7;
-constexpr int depth_azimuth = 20, depth_polar = 12;
 
 }  // namespace
 
-Reference::Reference(const Design& design) : distribution_(design.distribution) {
+Reference::Reference(const Design& design)
+    : distribution_(design.distribution), albedo_(distribution_, albedo_tolerance) {
     describe_material(design, distribution_, shading_);
     describe_layers(design.distribution, distribution_, shading_, data_);
     shading_.data = data_.data();
@@ -31,7 +31,6 @@ Reference::Reference(const Design& design) : distribution_(design.distribution) 
     reads_albedo_ =
         shading_.kinds.diffuse == DiffuseKind::coupled || shading_.kinds.diffuse == DiffuseKind::metal;
     shading_.kinds.albedo = reads_albedo_;
-    facets_ = distribution_.facets(0);
 }
 
 double Reference::visibility(dvec3 k) const {
@@ -42,53 +41,8 @@ double Reference::visibility(dvec3 k) const {
 }
 
 AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
-    const FacetAlbedo integrand{shading_, k, projected_area(k), channels_};
-    auto area = [&](dvec3 k2) { return projected_area(k2); };
-    AlbedoValues sum{};
-    auto add = [&](const AlbedoValues& values, double weight) {
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
-    };
-    auto at = [&](const LobeWalk& walk, const LobeWalk::Ray& ray, double chi) {
-        if (stop.stop_requested()) throw BakeCancelled();
-        const Facet facet = walk.facet(ray, chi);
-        AlbedoValues values{};
-        if (facet.mass <= 0) return values;
-        values = integrand(facet.h, area);
-        for (double& value : values) value *= facet.mass;
-        return values;
-    };
-    auto over_chi = [&](const LobeWalk& walk, double psi) {
-        const LobeWalk::Ray whole = walk.ray(psi);
-        AlbedoValues inner{};
-        std::vector<double> cuts = {whole.begin};
-        for (const double b : walk.breaks())
-            if (b > whole.begin && b < whole.end) cuts.push_back(b);
-        cuts.push_back(whole.end);
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-            if (cuts[i + 1] <= cuts[i]) continue;
-            const AlbedoValues part =
-                integrate_adaptively<4>([&](double chi) { return at(walk, whole, chi); }, cuts[i],
-                                        cuts[i + 1], 0.5 * albedo_tolerance, depth_polar);
-            for (std::size_t j = 0; j < inner.size(); ++j) inner[j] += part[j];
-        }
-        return inner;
-    };
-    for (std::size_t i = 0; i < facets_.size(); ++i) {
-        const PlacedLobe& placed = distribution_.lobes()[i];
-        for (const Facet& facet : facets_[i]) {
-            if (stop.stop_requested()) throw BakeCancelled();
-            add(integrand(facet.h, area), facet.mass);
-        }
-        for (const LobeSpan& span : placed.lobe->spans()) {
-            const LobeWalk walk(placed, span, k);
-            for (int half = 0; half < 2; ++half)
-                add(integrate_adaptively<4>([&](double psi) { return over_chi(walk, psi); },
-                                            walk.start() + half * pi, walk.start() + (half + 1) * pi,
-                                            albedo_tolerance, depth_azimuth),
-                    1);
-        }
-    }
-    return sum;
+    return albedo_(
+        {shading_, k, projected_area(k), channels_}, [&](dvec3 k2) { return projected_area(k2); }, stop);
 }
 
 dvec3 Reference::design_albedo(const AlbedoValues& values) const {

@@ -5,6 +5,7 @@
 
 #include "core/bake/albedo.h"
 #include "core/design/design.h"
+#include "core/measure/adaptive_albedo.h"
 #include "core/model/facet_distribution.h"
 #include "core/model/shading.h"
 
@@ -14,6 +15,8 @@ class Reference {
   public:
     // Throws UserError like bake(). A painted or modulated lobe is the set of facets that stands for it.
     explicit Reference(const Design& design);
+    Reference(const Reference&) = delete;
+    Reference& operator=(const Reference&) = delete;
 
     // g and P = N c/g (min(1, .) under clamp), relative error below 1e-9.
     double projected_area(dvec3 k) const { return distribution_.projected_area(k); }
@@ -38,11 +41,11 @@ class Reference {
 
   private:
     FacetDistribution distribution_;
+    AdaptiveAlbedo albedo_;
     Shading<double> shading_;
     std::vector<float> data_;
     int channels_;
     bool round_;
-    std::vector<std::vector<Facet>> facets_;
     bool reads_albedo_;
 };
 

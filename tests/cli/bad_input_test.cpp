@@ -101,8 +101,7 @@ TEST_CASE("usage that is wrong is exit code 2 and one line; help and version are
 TEST_CASE("what has not arrived is an error that says so") {
     const DesignOnDisk design(design_of(GaussianLobe{}));
     for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"report", design.path(), "-o", "x"},
-          {"import", "x.obj", "-o", "y"},
+         {std::vector<std::string>{"import", "x.obj", "-o", "y"},
           {"export", design.path(), "--to", "merl", "-o", "x"},
           {"render", design.path(), "-o", "x.png", "--compare", "ggx"}})
         check_refused(run_cli(arguments), {"not arrived"});

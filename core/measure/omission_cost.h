@@ -1,0 +1,32 @@
+// What each thing that a bake and its shader leave out would cost if it were there.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/bake/plan.h"
+#include "core/design/design.h"
+
+namespace nacre {
+
+struct BakeCost {
+    double seconds = 0;     // one thread, the shortest of several runs
+    std::size_t bytes = 0;  // of the tables
+    int statements = 0;     // GLSL statements of the BRDF, after the preprocessor
+};
+
+struct OmissionCost {
+    Omission omission;
+    BakeCost with_it;  // of the whole bake and shader with that one thing put back in
+};
+
+struct OmissionCosts {
+    BakeCost bake;  // as the design asks for it
+    std::vector<OmissionCost> omissions;
+    BakeCost with_all;  // all of them put back in together
+};
+
+// Of a final bake. Throws what bake() throws.
+OmissionCosts measure_omissions(const Design& design, const std::stop_token& stop);
+
+}  // namespace nacre

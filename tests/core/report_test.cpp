@@ -1,0 +1,200 @@
+// The report of error beside time: what omissions cost, and its files.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/bake/bake.h"
+#include "core/exchange/accuracy_chart.h"
+#include "core/exchange/accuracy_text.h"
+#include "core/exchange/log_chart.h"
+#include "core/exchange/shader_size.h"
+#include "core/exchange/xml_text.h"
+#include "core/measure/accuracy.h"
+#include "tests/core/designs.h"
+#include "tests/core/random_directions.h"
+
+using namespace nacre;
+using namespace nacre::test;
+
+namespace {
+
+Design brushed() { return design_of(GgxLobe{0.15, 0.6}); }
+
+// A report that costs little.
+DesignAccuracy small_report(Design design) {
+    DesignAccuracy accuracy =
+        measure_accuracy(design, {.area_probes = 20, .albedo_probes = 2, .longest = 1e-3});
+    accuracy.file = "stem";
+    return accuracy;
+}
+
+// Tags are closed in order, attributes quoted, and nothing else in the text is markup.
+bool is_well_formed(const std::string& xml) {
+    std::vector<std::string> open;
+    bool had_root = false;
+    for (std::size_t i = 0; i < xml.size();) {
+        if (xml[i] == '>') return false;
+        if (xml[i] == '&') {
+            const std::string entity = xml.substr(i, xml.find(';', i) - i);
+            if (entity != "&amp" && entity != "&lt" && entity != "&gt" && entity != "&quot") return false;
+        }
+        if (xml[i] != '<') {
+            ++i;
+            continue;
+        }
+        std::size_t end = i;
+        for (bool quoted = false; end < xml.size() && (quoted || xml[end] != '>'); ++end) {
+            if (end > i && xml[end] == '<') return false;
+            if (xml[end] == '"') quoted = !quoted;
+        }
+        if (end == xml.size()) return false;
+        const std::string tag = xml.substr(i + 1, end - i - 1);
+        i = end + 1;
+        if (tag.starts_with('?')) continue;
+        const std::string name = tag.substr(0, tag.find_first_of(" /"));
+        if (tag.starts_with('/')) {
+            if (open.empty() || open.back() != tag.substr(1)) return false;
+            open.pop_back();
+        } else {
+            if (open.empty() && had_root) return false;
+            had_root = true;
+            if (!tag.ends_with('/')) open.push_back(name);
+        }
+    }
+    return had_root && open.empty();
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("report");
+
+TEST_CASE("statements are counted after the preprocessor, without fields, comments and fixed conditions") {
+    const std::string text =
+        "#define ON 1\n#define OFF 0\n#define ALWAYS true\n"
+        "struct S {\n    int a;  // no; statement;\n    float b;\n};\n"
+        "const int c = 1;\n"
+        "int f(int x) {\n"
+        "#if OFF\n    x = 1;\n#else\n    x = 2;\n#endif\n"
+        "#if OFF || ON\n    if (ALWAYS) x = 3;\n#endif\n"
+        "#if ON && !ON\n    x = 4;\n#endif\n"
+        "    for (int i = 0; i < 3; ++i) x += i;\n"
+        "    if (x > 2) return 1;\n"
+        "    return x;\n}\n";
+    CHECK(preprocessed(text).find("x = 1") == std::string::npos);
+    CHECK(preprocessed(text).find("if (true) x = 3") != std::string::npos);
+    CHECK(count_statements(preprocessed(text)) == 7);
+}
+
+TEST_CASE("each omission costs what it brings, and all of them together the most") {
+    Design design = design_of(GgxLobe{0.3, 0.3});
+    design.fresnel = SchlickFresnel{};
+    const OmissionCosts costs = measure_omissions(design, {});
+    int tables = 0, statements = 0;
+    for (const OmissionCost& cost : costs.omissions) {
+        CAPTURE(cost.omission.what);
+        CHECK(cost.with_it.bytes >= costs.bake.bytes);
+        CHECK(cost.with_it.statements >= costs.bake.statements);
+        CHECK(cost.with_it.bytes <= costs.with_all.bytes);
+        CHECK(cost.with_it.statements < costs.with_all.statements);
+        const Part part = cost.omission.part;
+        if (part == Part::symmetric_nodes || part == Part::albedo || part == Part::diffuse) {
+            ++tables;
+            CHECK(cost.with_it.bytes >= 2 * costs.bake.bytes);
+            CHECK(cost.with_it.seconds > costs.bake.seconds);
+        } else {
+            ++statements;
+            CHECK(cost.with_it.bytes == costs.bake.bytes);
+            CHECK(cost.with_it.statements > costs.bake.statements);
+        }
+    }
+    CHECK(tables == 3);
+    CHECK(statements >= 4);
+}
+
+TEST_CASE("a bake uses no more symmetry than it is told, and never more than p has") {
+    const Design design = brushed();
+    const auto plain = bake(design), whole = bake(design, {.symmetry = Symmetry::none});
+    CHECK(plain->plan.symmetry.symmetry == Symmetry::quarter);
+    CHECK(whole->plan.symmetry.symmetry == Symmetry::none);
+    CHECK(bake(design, {.symmetry = Symmetry::isotropic})->data == plain->data);
+    const dvec3 k = polar(0.2, 4);
+    const double g = plain->distribution->area(k).g;
+    CHECK(std::fabs(whole->shading.projected_area(whole->shading.table_spot(k)) / g - 1) < 1e-3);
+}
+
+TEST_CASE("the report's files are whole: CSV rows, JSON and XML") {
+    Design design = brushed();
+    design.name = "A <wild> & \"quoted\", \xEF\xBF\xBF name\n";
+    std::vector<DesignAccuracy> reports(2, small_report(design));
+    WayAccuracy& harmonics = reports[1].ways.back();
+    REQUIRE(harmonics.kind == WayKind::harmonics);
+    harmonics.points.clear();
+    harmonics.left_out = "p is too narrow";
+    std::size_t points = 0;
+    for (const DesignAccuracy& report : reports)
+        for (const WayAccuracy& way : report.ways) points += way.points.size();
+    REQUIRE(points > 20);
+
+    const std::string csv = accuracy_csv(reports);
+    std::size_t rows = 0;
+    bool quoted = false;
+    for (const char c : csv) {
+        if (c == '"') quoted = !quoted;
+        rows += c == '\n' && !quoted ? 1 : 0;
+    }
+    CHECK(rows == 1 + points);
+    CHECK(csv.find("\"A <wild> & \"\"quoted\"\", ") != std::string::npos);
+
+    const auto json = nlohmann::json::parse(accuracy_json(reports));
+    CHECK(json.at("designs").size() == 2);
+    std::size_t json_points = 0;
+    for (const auto& report : json.at("designs"))
+        for (const auto& way : report.at("ways")) {
+            json_points += way.at("points").size();
+            for (const auto& point : way.at("points")) {
+                CHECK(point.at("seconds").get<double>() > 0);
+                CHECK(point.at("worst").get<double>() >= point.at("rms").get<double>());
+            }
+        }
+    CHECK(json_points == points);
+    CHECK(json.at("designs").at(1).at("ways").at(5).at("left_out") == "p is too narrow");
+
+    for (const DesignAccuracy& report : reports)
+        for (const ChartOf quantity : {ChartOf::area, ChartOf::albedo})
+            CHECK(is_well_formed(svg_chart(accuracy_chart(report, quantity))));
+    CHECK(chart_file(reports[0], ChartOf::albedo) == "stem-R.svg");
+    const std::string markdown = accuracy_markdown(reports);
+    for (const char* part :
+         {"## Summary", "A \\<wild\\> \\& ", "stem-g.svg", "left out:", "with all of these"})
+        CHECK_MESSAGE(markdown.find(part) != std::string::npos, part);
+}
+
+TEST_CASE("a chart of nothing, of one point and of absurd ones is still XML") {
+    LogChart chart{.title = "<&>", .subtitle = "", .x = {"x"}, .y = {"y", ChartUnit::percent}};
+    CHECK(is_well_formed(svg_chart(chart)));
+    chart.lines.push_back({.name = "one", .points = {{1, 0.5, "label"}}});
+    CHECK(is_well_formed(svg_chart(chart)));
+    chart.lines.push_back(
+        {.name = "absurd", .points = {{1e-9, 0}, {1e9, 1e300}, {3, 1e-300}, {4, INFINITY}, {5, NAN}}});
+    const std::string svg = svg_chart(chart);
+    CHECK(is_well_formed(svg));
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+    CHECK(xml_text("a<b>&\"c\"\n") == "a&lt;b&gt;&amp;&quot;c&quot;\\n");
+}
+
+TEST_CASE("a report stops soon after it is asked to") {
+    std::stop_source stop;
+    std::jthread asker([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        stop.request_stop();
+    });
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK_THROWS_AS(measure_accuracy(slanted_velvet(1, true), {}, stop.get_token()), BakeCancelled);
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(1));
+}
+
+TEST_SUITE_END();
