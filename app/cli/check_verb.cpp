@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/design_input.h"
+#include "app/cli/extreme_sweep.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
@@ -16,6 +17,14 @@ namespace {
 struct CheckOptions {
     std::string design;
     bool json = false;
+    bool extremes = false;
+    bool markdown = false;
+    std::string group;
+
+    SweepFormat sweep_format() const {
+        if (json) return SweepFormat::json;
+        return markdown ? SweepFormat::markdown : SweepFormat::text;
+    }
 };
 
 const char* name_of(Verdict verdict) {
@@ -69,10 +78,22 @@ int check(const CheckOptions& options, const Interrupt& interrupt) {
 
 void declare_check(CLI::App& command, Action& action) {
     const auto options = std::make_shared<CheckOptions>();
-    command.add_option("DESIGN", options->design, "a .nacre file")->required();
+    auto* const design = command.add_option("DESIGN", options->design, "a .nacre file");
     command.add_flag("--json", options->json, "the figures as JSON");
+    auto* const extremes =
+        command.add_flag("--extremes", options->extremes, "a sweep of extreme designs in place of DESIGN");
+    extremes->excludes(design);
+    command.add_option("--group", options->group, "only this group of the sweep")
+        ->needs(extremes)
+        ->check(known_group);
+    command.add_flag("--markdown", options->markdown, "the sweep as the tables of docs/stability.md")
+        ->needs(extremes);
     command.callback([options, &action] {
-        action = [options](Interrupt& interrupt) { return check(*options, interrupt); };
+        if (options->design.empty() && !options->extremes) throw CLI::RequiredError("DESIGN or --extremes");
+        action = [options](Interrupt& interrupt) {
+            if (!options->extremes) return check(*options, interrupt);
+            return sweep_extremes(options->group, options->sweep_format(), interrupt);
+        };
     });
 }
 

@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
 constexpr int directions_max = 2;
-constexpr double lowest = 1e-290;    // rho may grow like 1/c: below this it would overflow
 constexpr std::size_t chunks = 256;  // of a batch, for parallel work
 
 using Directions = std::array<glm::dvec3, directions_max>;
@@ -102,8 +101,6 @@ glm::dvec3 normalised(glm::dvec3 v) {
     for (int i = 0; i < 3; ++i) v[i] = std::scalbn(v[i], -exponent);
     return v / glm::length(v);
 }
-
-bool above_horizon(glm::dvec3 k) { return k.z >= lowest; }
 
 void answer_lines(const LineOptions& options, const Answer& answer, const Interrupt& interrupt) {
     LineSource source(interrupt);

@@ -13,9 +13,6 @@ namespace nacre::cli {
 // The direction with length 1. Any size but 0 will do: the scaling neither overflows nor underflows.
 glm::dvec3 normalised(glm::dvec3 v);
 
-// Above the horizon, and not so close to it that rho overflows.
-bool above_horizon(glm::dvec3 k);
-
 struct LineOptions {
     int directions = 1;  // on a line
     int batch = 65536;   // lines that are answered together, in parallel

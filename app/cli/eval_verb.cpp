@@ -53,8 +53,7 @@ void answer_from_tables(const Design& design, const EvalOptions& options, Term t
     answer_lines(
         {.directions = 2},
         [&](std::span<const dvec3> k, std::string& text) {
-            const bool seen = above_horizon(k[0]) && above_horizon(k[1]);
-            append_colour(seen ? brdf.evaluate(k[0], k[1], term) : dvec3{0}, false, text);
+            append_colour(brdf.evaluate(k[0], k[1], term), false, text);
         },
         interrupt);
 }
@@ -67,7 +66,7 @@ void answer_exactly(const Design& design, const EvalOptions& options, Term term,
         {.directions = 2, .batch = 256},
         [&](std::span<const dvec3> k, std::string& text) {
             dvec3 rho{0};
-            if (above_horizon(k[0]) && above_horizon(k[1]))
+            if (k[0].z > 0 && k[1].z > 0)
                 rho = brdf_term(reference.shading(), reference.direction(k[0], stop),
                                 reference.direction(k[1], stop), term);
             append_colour(rho, true, text);

@@ -32,7 +32,7 @@ ShaderVariant variant_of(const Shading<double>& shading) {
 std::string variant_definitions(const ShaderVariant& variant) {
     std::string text =
         "#define real float\n#define real2 vec2\n#define real3 vec3\n"
-        "#define CONSTANT const\n#define PURE\n#define READS\n";
+        "#define CONSTANT const\n#define PURE\n#define READS\n#define LARGEST 3.402823466e+38\n";
     text += fmt::format("#define MAX_LAYERS {}\n", limits::layers_max);
     auto define = [&](std::string_view name, bool on) {
         text += fmt::format("#define {} {}\n", name, on ? 1 : 0);

@@ -14,8 +14,15 @@ struct AlbedoCheck {
     int directions = 0;
 };
 
-// The paper's count of directions, 10 in theta by 20 in phi (Ashikhmin 2000, sec. 5.2 and 6.4). By the bake's
-// quadrature, and by the reference where that cannot tell R from 1.
-AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std::stop_token stop);
+// Rings of directions, the last at 89.5 degrees. The paper's count unless another is asked for (Ashikhmin
+// 2000, sec. 5.2 and 6.4).
+struct AlbedoRings {
+    int polar = 10;
+    int azimuths = 20;
+};
+
+// By the bake's quadrature, and by the reference where that cannot tell R from 1.
+AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std::stop_token stop,
+                           const AlbedoRings& rings = {});
 
 }  // namespace nacre

@@ -230,6 +230,13 @@ class Curve final : public Isotropic {
     Shading<double> shading_;
 };
 
+// The next float below where rounding would go up: a curve down to the horizon or to the nadir stays above
+// it.
+float rounded_down(double angle) {
+    const float nearest = static_cast<float>(angle);
+    return static_cast<double>(nearest) > angle ? std::nextafter(nearest, 0.0f) : nearest;
+}
+
 }  // namespace
 
 std::shared_ptr<const LobeModel> make_inverse_gaussian_lobe(const InverseGaussianLobe& lobe) {
@@ -241,10 +248,13 @@ std::shared_ptr<const LobeModel> make_curve_lobe(const CurveLobe& lobe) {
 }
 
 std::vector<float> curve_data(const CurveLobe& lobe) {
+    double largest = 0;
+    for (const auto& point : lobe.points) largest = std::fmax(largest, point.second);
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
     std::vector<float> data;
     for (const auto& [theta, value] : lobe.points) {
-        data.push_back(static_cast<float>(theta * (pi / 180)));
-        data.push_back(static_cast<float>(value));
+        data.push_back(rounded_down(theta * (pi / 180)));
+        data.push_back(static_cast<float>(std::scalbn(value, -exponent)));
     }
     return data;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <limits>
 
 #include "core/design/design.h"
 
@@ -71,6 +72,7 @@ struct Shading {
     using real = Real;
     using real2 = glm::vec<2, Real>;
     using real3 = glm::vec<3, Real>;
+    static constexpr real LARGEST = std::numeric_limits<Real>::max();
 
 #include "shaders/shared/parameters.glsl"
 

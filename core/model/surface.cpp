@@ -1,5 +1,7 @@
 #include "core/model/surface.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/model/isotropic_lobe.h"
@@ -35,6 +37,40 @@ int append(std::vector<float>& data, const std::vector<float>& values) {
     return offset;
 }
 
+// A picture's texels over a power of two that brings the brightest into [1, 2): the digits stay, and neither
+// the texels nor a layer's scale leave a float's range whatever unit the picture is in.
+struct BroughtNearOne {
+    std::vector<float> texels;
+    double unit;  // picture = unit * texels
+};
+
+BroughtNearOne brought_near_one(const Raster& raster) {
+    const float largest = *std::max_element(raster.values.begin(), raster.values.end());
+    if (!(largest > 0)) return {raster.values, 1};
+    const int exponent = std::ilogb(largest);
+    BroughtNearOne result{raster.values, std::scalbn(1.0, exponent)};
+    for (float& texel : result.texels) texel = std::scalbn(texel, -exponent);
+    return result;
+}
+
+void describe_painted(const Raster& raster, Shader::Layer& layer, std::vector<float>& data) {
+    const BroughtNearOne picture = brought_near_one(raster);
+    layer.data_offset = append(data, picture.texels);
+    layer.data_size = raster.width;
+    layer.scale *= picture.unit;
+}
+
+// 1 - s + s u texel = f (1 - s' + s' texel) with f = 1 - s + s u and s' = s u/f.
+void describe_modulation(const Modulation& modulation, Shader::Layer& layer, std::vector<float>& data) {
+    const BroughtNearOne picture = brought_near_one(*modulation.image.raster);
+    const double weighted = modulation.strength * picture.unit;
+    const double factor = 1 - modulation.strength + weighted;
+    layer.picture_offset = append(data, picture.texels);
+    layer.picture_size = modulation.image.raster->width;
+    layer.picture_strength = picture.unit == 1 ? modulation.strength : weighted / factor;
+    if (picture.unit != 1) layer.scale *= factor;
+}
+
 }  // namespace
 
 void describe_layers(const Distribution& distribution, const FacetDistribution& facets,
@@ -55,15 +91,9 @@ void describe_layers(const Distribution& distribution, const FacetDistribution& 
             out.data_offset = append(data, curve_data(*curve));
             out.data_size = static_cast<int>(curve->points.size());
         }
-        if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe)) {
-            out.data_offset = append(data, painted->image.raster->values);
-            out.data_size = painted->image.raster->width;
-        }
-        if (layer.modulation) {
-            out.picture_offset = append(data, layer.modulation->image.raster->values);
-            out.picture_size = layer.modulation->image.raster->width;
-            out.picture_strength = layer.modulation->strength;
-        }
+        if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
+            describe_painted(*painted->image.raster, out, data);
+        if (layer.modulation) describe_modulation(*layer.modulation, out, data);
     }
 }
 

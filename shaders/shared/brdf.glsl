@@ -8,6 +8,12 @@ struct Direction {
     real3 R;   // eq. 29; 0 when no diffuse term reads it
 };
 
+// a/b of a, b >= 0, and the largest number where that is greater or b is 0; 0/b is 0 for every b.
+PURE real bounded_quotient(real a, real b) {
+    if (a < b * LARGEST) return a / b;
+    return a > real(0.0) ? LARGEST : real(0.0);
+}
+
 // F(cosine) of the design                                                   (eq. 31, or exact Fresnel)
 real3 fresnel(real cosine) READS {
     real3 f = real3(1.0);
@@ -28,7 +34,8 @@ real3 fresnel(real cosine) READS {
 }
 
 // P12 / (N c1 c2) with no division by a cosine: N/(G1 G2) for the uncorrelated product (eq. 26), where
-// G = max(g, N c) under clamp, so that P = min(1, N c/g) conserves energy for every p.
+// G = max(g, N c) under clamp, so that P = min(1, N c/g) conserves energy for every p. The correlated forms grow
+// like 1/c where both directions graze, and stop at the largest number.
 real visibility(Direction a, Direction b) READS {
     real nc1 = surface.N * a.k.z;
     real nc2 = surface.N * b.k.z;
@@ -39,15 +46,17 @@ real visibility(Direction a, Direction b) READS {
         g2 = max(g2, nc2);
     }
     if (g1 <= real(0.0) || g2 <= real(0.0)) return real(0.0);
-    real v = surface.N / (g1 * g2);
+    real v = bounded_quotient(surface.N, g1 * g2);
 #if VISIBILITY_CORRELATED
     // (1-t) P1 P2 + t min(P1, P2); min(P1,P2)/(N c1 c2) = 1/max(G1 c2, G2 c1)        (eq. 14)
     if (VISIBILITY_IS_CORRELATED) {
         real cross_product = a.k.x * b.k.y - a.k.y * b.k.x;
         real dot_product = a.k.x * b.k.x + a.k.y * b.k.y;
-        real angle = atan(abs(cross_product), dot_product) / surface.correlation;
+        // At n itself, where P = 1 and t counts for nothing, no azimuth is left.
+        bool upright = cross_product == real(0.0) && dot_product == real(0.0);
+        real angle = upright ? real(0.0) : atan(abs(cross_product), dot_product) / surface.correlation;
         real t = exp(real(-0.5) * angle * angle);
-        v = (real(1.0) - t) * v + t / max(g1 * b.k.z, g2 * a.k.z);
+        v = min((real(1.0) - t) * v + bounded_quotient(t, max(g1 * b.k.z, g2 * a.k.z)), LARGEST);
     }
 #endif
 #if VISIBILITY_SMITH
@@ -56,7 +65,7 @@ real visibility(Direction a, Direction b) READS {
     if (VISIBILITY_IS_SMITH) {
         real p1 = min(nc1 / g1, real(1.0));
         real p2 = min(nc2 / g2, real(1.0));
-        v = v / ((p1 + p2) - p1 * p2);
+        v = bounded_quotient(v, (p1 + p2) - p1 * p2);
     }
 #endif
     return v;
@@ -64,12 +73,16 @@ real visibility(Direction a, Direction b) READS {
 
 // rho = p(h) F(k.h) P12 / (4 N c1 c2), 1/sr                                  (eq. 11, 26)
 real3 specular(Direction a, Direction b) READS {
+    // Measured by its largest part first: two opposite grazing directions leave a sum whose square is no number.
     real3 sum = a.k + b.k;
+    real reach = max(max(abs(sum.x), abs(sum.y)), abs(sum.z));
+    if (reach <= real(0.0)) return real3(0.0);
+    sum = sum / reach;
     real size = length(sum);
-    if (size <= real(0.0)) return real3(0.0);
     real p = density(sum / size);
     if (p <= real(0.0)) return real3(0.0);
-    return fresnel(min(real(0.5) * size, real(1.0))) * (real(0.25) * p * visibility(a, b));
+    real cosine = min(real(0.5) * (size * reach), real(1.0));
+    return fresnel(cosine) * min(real(0.25) * p * visibility(a, b), LARGEST);
 }
 
 // The part of a diffuse term that one direction brings: 1 - R, or f0 - R for the paper's metal, never < 0.

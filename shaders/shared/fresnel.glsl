@@ -17,7 +17,9 @@ PURE real3 schlick_fresnel(real3 f0, real cosine) {
 
 #if FRESNEL_DIELECTRIC
 // Exact Fresnel equations for a dielectric of relative index ior >= 1    (Born & Wolf, sec. 1.5.2)
+// An index of 1 is no surface and reflects nothing, at grazing too.
 PURE real dielectric_fresnel(real ior, real cosine) {
+    if (ior <= real(1.0)) return real(0.0);
     real refracted = sqrt(max(ior * ior - real(1.0) + cosine * cosine, real(0.0)));
     real s = (cosine - refracted) / (cosine + refracted);
     real n2 = ior * ior;
@@ -28,16 +30,28 @@ PURE real dielectric_fresnel(real ior, real cosine) {
 
 #if FRESNEL_CONDUCTOR
 // Exact Fresnel equations for a conductor of index eta + i kappa         (Born & Wolf, sec. 14.2)
+// With a + i b = sqrt((eta + i kappa)^2 - sin^2), as quotients of sums of squares, which stay in [0, 1] however
+// they are rounded:
+//
+//   rs = ((a - c)^2 + b^2)/((a + c)^2 + b^2),  rp/rs = ((a c - s^2)^2 + b^2 c^2)/((a c + s^2)^2 + b^2 c^2)
+//
+// An index of 1 is no surface and reflects nothing, at grazing too.
 PURE real conductor_fresnel(real eta, real kappa, real cosine) {
+    real index = (eta - real(1.0)) * (eta + real(1.0)) - kappa * kappa;
+    real loss = real(2.0) * eta * kappa;
+    if (index == real(0.0) && loss * loss == real(0.0)) return real(0.0);
     real c2 = cosine * cosine;
     real s2 = real(1.0) - c2;
-    real difference = eta * eta - kappa * kappa - s2;
-    real a2b2 = sqrt(difference * difference + real(4.0) * eta * eta * kappa * kappa);
+    real difference = index + c2;
+    real a2b2 = sqrt(difference * difference + loss * loss);
     real a = sqrt(max(real(0.5) * (a2b2 + difference), real(0.0)));
-    real rs = (a2b2 + c2 - real(2.0) * a * cosine) / (a2b2 + c2 + real(2.0) * a * cosine);
-    real tail = s2 * s2;
-    real rp = (c2 * a2b2 + tail - real(2.0) * a * cosine * s2) /
-              (c2 * a2b2 + tail + real(2.0) * a * cosine * s2);
+    real b2 = max(real(0.5) * (a2b2 - difference), real(0.0));
+    real below = a - cosine;
+    real above = a + cosine;
+    real rs = (below * below + b2) / (above * above + b2);
+    below = a * cosine - s2;
+    above = a * cosine + s2;
+    real rp = (below * below + b2 * c2) / (above * above + b2 * c2);
     return real(0.5) * rs * (real(1.0) + rp);
 }
 #endif

@@ -87,8 +87,26 @@ TEST_CASE("the terms add up") {
 
 TEST_CASE("eval is 0 unless both directions stand above the horizon") {
     const DesignOnDisk design(design_of(UniformLobe{}));
-    const std::string input = "1 0 0 0 0 1\n0 0 1 1 0 -0.1\n0 0 -1 0 0 1\n1 0 1e-310 0 0 1\n-1 0 0 1 0 0\n";
-    CHECK(answer({"eval", design.path()}, input) == "0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n");
+    const std::string input = "1 0 0 0 0 1\n0 0 1 1 0 -0.1\n0 0 -1 0 0 1\n-1 0 0 1 0 0\n";
+    CHECK(answer({"eval", design.path()}, input) == "0 0 0\n0 0 0\n0 0 0\n0 0 0\n");
+}
+
+TEST_CASE("eval answers however little above the horizon a direction stands") {
+    for (const ShadowingModel model :
+         {ShadowingModel::uncorrelated, ShadowingModel::correlated, ShadowingModel::smith_correlated}) {
+        Design uniform = design_of(UniformLobe{});
+        uniform.shadowing.model = model;
+        const DesignOnDisk design(uniform);
+        const std::string input = "1 0 1e-310 0 0 1\n1 0 1e-310 -1 0 1e-310\n1 0 1e-310 1 0 5e-324\n";
+        const std::string back = "0 0 1 1 0 1e-310\n-1 0 1e-310 1 0 1e-310\n1 0 5e-324 1 0 1e-310\n";
+        for (const bool exact : {false, true}) {
+            std::vector<std::string> words = {"eval", design.path()};
+            if (exact) words.push_back("--exact");
+            const std::string there = answer(words, input);
+            CHECK(there == answer(words, back));
+            for (const auto& row : rows(there)) CHECK((std::isfinite(row.at(0)) && row.at(0) > 0));
+        }
+    }
 }
 
 TEST_CASE("eval skips blank lines and comments, takes any blanks and line ends, and keeps the order") {

@@ -26,6 +26,9 @@ TEST_CASE("Ctrl+C stops within a second whatever is going on") {
         check_stopped(run_cli({"tables", design.path(), "--exact"},
                               {.input = lines_of(test_directions(5000)), .signal = SIGINT}));
     }
+    SUBCASE("the sweep of extreme designs") {
+        check_stopped(run_cli({"check", "--extremes"}, {.signal = SIGINT, .signal_after = 2}));
+    }
     SUBCASE("waiting for input") {
         const Finished finished = run_cli(
             {"eval", design.path()},

@@ -1,0 +1,27 @@
+// Designs at the edge of what can be asked for, and what is expected of each.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/design/design.h"
+
+namespace nacre {
+
+struct ExtremeCase {
+    std::string group;
+    std::string name;
+    Design design;
+    std::string refusal = {};             // part of what the bake refuses it with; empty: it must be sound
+    std::optional<Design> same_rho = {};  // a design whose BRDF must be the same
+    // The most that the bake may claim as its errors: its tolerance, and more where the largest tables cannot
+    // keep it.
+    double area_claim = 1e-3;
+    double albedo_claim = 3e-3;
+};
+
+// In the order of their groups.
+std::vector<ExtremeCase> extreme_cases();
+
+}  // namespace nacre

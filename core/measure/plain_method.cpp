@@ -1,0 +1,77 @@
+#include "core/measure/plain_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/bake/albedo.h"
+#include "core/bake/bake.h"
+
+namespace nacre {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int polar = 10, azimuths = 20;
+constexpr int samples = 4096;    // a direction
+constexpr double lowest = 1e-6;  // c of the pairs that are counted
+
+// R of eq. 26 with F = 1 by the bake's rule, which reads g from the tables.
+double albedo_of_form(const Tables& tables, dvec3 k) {
+    Shading<double> shading = tables.shading;
+    shading.kinds.clamp = false;
+    shading.kinds.visibility = VisibilityKind::uncorrelated;
+    return AlbedoRule(*tables.distribution, true)(shading, k, tables.distribution->area(k).g, 0)[0];
+}
+
+// The larger of two errors, where no number is the largest.
+double worse(double a, double b) { return std::isnan(b) ? limits::infinity : std::fmax(a, b); }
+
+}  // namespace
+
+PlainMethod::PlainMethod(const Tables& tables) : tables_(tables), grid_(polar, azimuths, {}) {
+    for (int node = 0; node < grid_.size(); ++node)
+        nodes_.push_back(static_cast<float>(tables.distribution->area(grid_.direction(node)).g));
+}
+
+double PlainMethod::specular(dvec3 k1, dvec3 k2) const {
+    const dvec3 h = glm::normalize(k1 + k2);
+    const double p = tables_.shading.density(h);
+    return p * tables_.shading.surface.N / (4 * area(k1) * area(k2));
+}
+
+double PlainMethod::albedo(dvec3 k, int count, Random& random) const {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        const double radius = std::sqrt(uniform_random(random)), phi = 2 * pi * uniform_random(random);
+        sum += specular(k, {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - radius * radius)});
+    }
+    return pi * sum / count;
+}
+
+PlainMethodErrors measure_plain_method(const Tables& tables, std::span<const DirectionPair> pairs,
+                                       std::span<const dvec3> area_probes,
+                                       std::span<const dvec3> albedo_probes, const std::stop_token& stop) {
+    const PlainMethod plain(tables);
+    PlainMethodErrors errors;
+    for (const dvec3 k : area_probes) {
+        const double exact = tables.distribution->area(k).g;
+        const double divisor = std::max(exact, 0.05 * tables.shading.table_spot(k).q);
+        errors.area = worse(errors.area, std::fabs(plain.area(k) - exact) / divisor);
+    }
+    Random random(26);
+    for (const dvec3 k : albedo_probes) {
+        if (stop.stop_requested()) throw BakeCancelled();
+        errors.albedo =
+            worse(errors.albedo, std::fabs(plain.albedo(k, samples, random) - albedo_of_form(tables, k)));
+    }
+    errors.unsound =
+        static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const DirectionPair& pair) {
+            if (pair.k1.z < lowest || pair.k2.z < lowest) return false;
+            const double rho = plain.specular(pair.k1, pair.k2);
+            return !std::isfinite(rho) || rho < 0;
+        }));
+    return errors;
+}
+
+}  // namespace nacre
