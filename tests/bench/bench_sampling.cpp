@@ -43,10 +43,7 @@ void add(Report& report, const std::string& what, const Design& design, const Ou
         };
         const Pair pair = interleave(
             state, count, [&] { each(ours); }, [&] { each(caps); });
-        Line line = at_most_times(what, pair, 0);
-        line.wanted = "";
-        line.met = true;
-        report.add(line);
+        report.add(compared(what, pair));
     });
 }
 

@@ -8,6 +8,8 @@
 
 namespace nacre::bench {
 
+// Real is float or double: what the facets and the products are in; the sum of all blocks is in double.
+template <class Real>
 class PlainArea {
   public:
     explicit PlainArea(const std::vector<Facet>& facets);
@@ -15,7 +17,7 @@ class PlainArea {
     void operator()(std::span<const dvec3> k, std::span<double> g) const;
 
   private:
-    std::vector<float> x_, y_, z_;  // mass times h; padded with zeros to whole blocks
+    std::vector<Real> x_, y_, z_;  // mass times h; padded with zeros to whole blocks
 };
 
 }  // namespace nacre::bench

@@ -51,6 +51,12 @@ Line faster(std::string what, Pair pair, double wanted) {
             speed >= wanted};
 }
 
+Line compared(std::string what, Pair pair) {
+    const double ratio = pair.ours / pair.theirs;
+    return {std::move(what), duration(pair.ours), duration(pair.theirs),
+            ratio < 1 ? fmt::format("1/{:.4g}", 1 / ratio) : fmt::format("{:.2f} x", ratio), ""};
+}
+
 Line within(std::string what, double seconds, double wanted) {
     return {std::move(what),  duration(seconds), "", "", fmt::format("< {}", duration(wanted)),
             seconds <= wanted};

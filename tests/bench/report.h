@@ -90,6 +90,7 @@ void add_benchmark(const std::string& name, int repetitions, Work work) {
 
 Line at_most_times(std::string what, Pair pair, double wanted);  // ours over theirs
 Line faster(std::string what, Pair pair, double wanted);         // theirs over ours
+Line compared(std::string what, Pair pair);                      // nothing is wanted
 Line within(std::string what, double seconds, double wanted);
 
 }  // namespace nacre::bench
