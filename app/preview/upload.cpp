@@ -2,7 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "core/exchange/parameter_fields.h"
+#include "core/model/parameter_fields.h"
 
 namespace nacre {
 namespace {

@@ -47,7 +47,8 @@ bool same_albedo(const Design& a, const Design& b) {
 }
 
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
-    return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size && a.symmetry == b.symmetry;
+    return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size &&
+           a.symmetry == b.symmetry;
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "core/design/error.h"
-#include "core/exchange/parameter_fields.h"
 #include "core/exchange/shader_variant.h"
+#include "core/model/parameter_fields.h"
 
 namespace nacre {
 namespace {

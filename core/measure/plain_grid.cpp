@@ -73,8 +73,6 @@ double PlainGrid::value(const std::vector<float>& nodes, dvec3 k) const {
     return std::lerp(along(first), along(second), turn - first);
 }
 
-std::string PlainGrid::label() const {
-    return fmt::format("{} of {} x {} nodes", size(), polar_, azimuths_);
-}
+std::string PlainGrid::label() const { return fmt::format("{} of {} x {} nodes", size(), polar_, azimuths_); }
 
 }  // namespace nacre

@@ -13,15 +13,16 @@ namespace {
 using std::numbers::pi;
 
 constexpr int polar = 10, azimuths = 20;
+constexpr double rule_tolerance = 1e-3;
 constexpr int samples = 4096;    // a direction
 constexpr double lowest = 1e-6;  // c of the pairs that are counted
 
-// R of eq. 26 with F = 1 by the bake's rule, which reads g from the tables.
-double albedo_of_form(const Tables& tables, dvec3 k) {
+// The form of eq. 26, on the tables' g.
+Shading<double> plain_form(const Tables& tables) {
     Shading<double> shading = tables.shading;
     shading.kinds.clamp = false;
     shading.kinds.visibility = VisibilityKind::uncorrelated;
-    return AlbedoRule(*tables.distribution, true)(shading, k, tables.distribution->area(k).g, 0)[0];
+    return shading;
 }
 
 // The larger of two errors, where no number is the largest.
@@ -59,11 +60,13 @@ PlainMethodErrors measure_plain_method(const Tables& tables, std::span<const Dir
         const double divisor = std::max(exact, 0.05 * tables.shading.table_spot(k).q);
         errors.area = worse(errors.area, std::fabs(plain.area(k) - exact) / divisor);
     }
+    const Shading<double> form = plain_form(tables);
+    const AlbedoRule rule(*tables.distribution, form, 0, rule_tolerance);
     Random random(26);
     for (const dvec3 k : albedo_probes) {
         if (stop.stop_requested()) throw BakeCancelled();
-        errors.albedo =
-            worse(errors.albedo, std::fabs(plain.albedo(k, samples, random) - albedo_of_form(tables, k)));
+        errors.albedo = worse(errors.albedo, std::fabs(plain.albedo(k, samples, random) -
+                                                       rule(k, tables.distribution->projected_area(k))[0]));
     }
     errors.unsound =
         static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const DirectionPair& pair) {

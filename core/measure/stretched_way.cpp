@@ -8,10 +8,10 @@ namespace nacre {
 namespace {
 
 StoredTable stored(std::shared_ptr<const Tables> tables) {
-    return {.area = [tables](
-                        dvec3 k) { return tables->shading.projected_area(tables->shading.table_spot(k)); },
-            .albedo = [tables](dvec3 k) { return read_albedo(tables->shading, k, tables->plan.fresnel_tables); },
-            .bytes = tables->table_floats() * sizeof(float)};
+    return {
+        .area = [tables](dvec3 k) { return tables->shading.projected_area(tables->shading.table_spot(k)); },
+        .albedo = [tables](dvec3 k) { return read_albedo(tables->shading, k, tables->plan.fresnel_tables); },
+        .bytes = tables->table_floats() * sizeof(float)};
 }
 
 WaySetting setting(const Design& design, std::string label, BakeOptions options) {

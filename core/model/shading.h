@@ -2,6 +2,7 @@
 // double. The texts are the single place where lobes, Fresnel, tables and the BRDF are written.
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
 
@@ -57,7 +58,9 @@ struct ShadingKinds {
 
 namespace shading_detail {
 
-using glm::abs;
+inline float abs(float x) { return std::fabs(x); }
+inline double abs(double x) { return std::fabs(x); }
+
 using glm::atan;
 using glm::clamp;
 using glm::dot;

@@ -1,0 +1,71 @@
+// The fields of the shader's parameters, each with its name in GLSL, in the order of
+// shaders/shared/parameters.glsl: for uploading them, for writing them out and for copying between
+// precisions.
+#pragma once
+
+#include "core/model/shading.h"
+
+namespace nacre {
+
+// Calls visit(name, field of every one of `layers`) for each field; several of them walk in step.
+template <class Visit, class... Layers>
+void visit_layer_fields(const Visit& visit, Layers&... layers) {
+    visit("kind", layers.kind...);
+    visit("scale", layers.scale...);
+    visit("axis_x", layers.axis_x...);
+    visit("axis_y", layers.axis_y...);
+    visit("axis_z", layers.axis_z...);
+    visit("inverse_width", layers.inverse_width...);
+    visit("data_offset", layers.data_offset...);
+    visit("data_size", layers.data_size...);
+    visit("picture_offset", layers.picture_offset...);
+    visit("picture_size", layers.picture_size...);
+    visit("picture_strength", layers.picture_strength...);
+}
+
+template <class Visit, class... Shapes>
+void visit_table_fields(const Visit& visit, Shapes&... shapes) {
+    visit("g_normal", shapes.g_normal...);
+    visit("axis", shapes.axis...);
+    visit("stretch", shapes.stretch...);
+    visit("lean", shapes.lean...);
+    visit("symmetry", shapes.symmetry...);
+    visit("nodes_w", shapes.nodes_w...);
+    visit("nodes_v", shapes.nodes_v...);
+    visit("nodes_psi", shapes.nodes_psi...);
+    visit("nodes_rho", shapes.nodes_rho...);
+    visit("area_offset", shapes.area_offset...);
+    visit("albedo_offset", shapes.albedo_offset...);
+    visit("residual_offset", shapes.residual_offset...);
+}
+
+// Without `tables`, which comes first.
+template <class Visit, class... Surfaces>
+void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
+    visit("N", surfaces.N...);
+    visit("correlation", surfaces.correlation...);
+    visit("f0", surfaces.f0...);
+    visit("eta", surfaces.eta...);
+    visit("kappa", surfaces.kappa...);
+    visit("kd", surfaces.kd...);
+    visit("ks", surfaces.ks...);
+    visit("albedo", surfaces.albedo...);
+    visit("coupling", surfaces.coupling...);
+}
+
+template <class Visit>
+void visit_fields(const Shading<double>::Layer& layer, const Visit& visit) {
+    visit_layer_fields(visit, layer);
+}
+
+template <class Visit>
+void visit_fields(const Shading<double>::TableShape& shape, const Visit& visit) {
+    visit_table_fields(visit, shape);
+}
+
+template <class Visit>
+void visit_fields(const Shading<double>::Surface& surface, const Visit& visit) {
+    visit_surface_fields(visit, surface);
+}
+
+}  // namespace nacre
