@@ -43,10 +43,10 @@ void status_line(const Status& status) {
     ImGui::TextUnformatted(status.tables.empty() ? "baking\u2026" : status.tables.c_str());
     tooltip_for_item(
         "What was baked for this picture: draft or final; nodes of each table along the angle from the "
-        "normal and "
-        "around it; the symmetry that was used; memory; time; and the worst relative error of the projected "
-        "area g, "
-        "measured between the nodes.");
+        "normal and around it; the symmetry that was used; memory; time; and the worst errors, measured "
+        "between the nodes: of the projected area g, in parts of itself, and of the albedo R, in parts of "
+        "the "
+        "light that falls in.");
     right_aligned(status.message);
     ImGui::PopStyleColor();
 }

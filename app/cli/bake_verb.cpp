@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/bake_options.h"
 #include "app/cli/output.h"
 #include "app/cli/table_output.h"
 #include "app/cli/verbs.h"
@@ -14,7 +15,7 @@ namespace {
 struct BakeVerbOptions {
     std::string design;
     std::string folder;
-    int threads = 0;
+    BakeOptions bake = {};
     bool json = false;
 };
 
@@ -66,7 +67,7 @@ std::string text_summary(const WrittenTables& written, const std::string& folder
 }
 
 int bake_to_folder(const BakeVerbOptions& options, Interrupt& interrupt) {
-    const WrittenTables written = write_tables(options.design, options.folder, options.threads, interrupt);
+    const WrittenTables written = write_tables(options.design, options.folder, options.bake, interrupt);
     write_output(options.json ? json_summary(written, options.folder)
                               : text_summary(written, options.folder));
     return 0;
@@ -81,9 +82,10 @@ void declare_bake(CLI::App& command, Action& action) {
         .add_option("-o,--output", options->folder, "the folder for the tables, made when it is not there")
         ->required();
     command
-        .add_option("--threads", options->threads,
+        .add_option("--threads", options->bake.threads,
                     "at most this many (default: all); the tables do not depend on it")
         ->check(CLI::Range(1, 1024));
+    add_tolerance_option(command, options->bake);
     command.add_flag("--json", options->json, "times, sizes and measured errors as JSON");
     command.callback([options, &action] {
         action = [options](Interrupt& interrupt) { return bake_to_folder(*options, interrupt); };

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 
+#include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/direction_lines.h"
 #include "app/cli/verbs.h"
@@ -18,6 +19,7 @@ struct EvalOptions {
     std::string design;
     std::string term = "total";
     bool exact = false;
+    BakeOptions bake = {};
 };
 
 const std::map<std::string, Term>& terms() {
@@ -49,7 +51,7 @@ void append_colour(dvec3 rho, bool exact, std::string& text) {
 
 void answer_from_tables(const Design& design, const EvalOptions& options, Term term,
                         const Interrupt& interrupt) {
-    const Brdf brdf(bake_design(design, options.design, {}, interrupt));
+    const Brdf brdf(bake_design(design, options.design, options.bake, interrupt));
     answer_lines(
         {.directions = 2},
         [&](std::span<const dvec3> k, std::string& text) {
@@ -96,6 +98,7 @@ void declare_eval(CLI::App& command, Action& action) {
         ->check(known_term);
     command.add_flag("--exact", options->exact,
                      "adaptive integration in double in place of tables; 17 digits");
+    add_tolerance_option(command, options->bake);
     command.footer(
         "Reads lines `k1x k1y k1z k2x k2y k2z` (z = normal; any length but 0; # begins a comment line).\n"
         "Prints for each `r g b`, the BRDF in 1/sr; 0 0 0 where either is not above the horizon.");

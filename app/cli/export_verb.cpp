@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/table_output.h"
@@ -20,6 +21,7 @@ struct ExportOptions {
     std::string format;
     std::string output;
     bool list = false;
+    BakeOptions bake = {};
 };
 
 struct Format {
@@ -29,12 +31,12 @@ struct Format {
 };
 
 void write_exr_tables(const ExportOptions& options, Interrupt& interrupt) {
-    write_tables(options.design, options.output, 0, interrupt);
+    write_tables(options.design, options.output, options.bake, interrupt);
 }
 
 void write_glsl(const ExportOptions& options, Interrupt& interrupt) {
     const Design design = load_design(options.design);
-    const auto tables = bake_design(design, options.design, {}, interrupt);
+    const auto tables = bake_design(design, options.design, options.bake, interrupt);
     const std::string text = about_file(options.design, [&] { return glsl_export(design, *tables); });
     interrupt.write_files([&] { write_file_atomically(options.output, text); });
 }
@@ -72,6 +74,7 @@ void declare_export(CLI::App& command, Action& action) {
     auto* const design = command.add_option("DESIGN", options->design, "a .nacre file");
     auto* const format = command.add_option("--to", options->format, "a format of --list");
     auto* const output = command.add_option("-o,--output", options->output, "the file or folder to write");
+    add_tolerance_option(command, options->bake);
     command.callback([=, &action] {
         if (list->count() == 0)
             for (const CLI::Option* needed : {design, format, output})

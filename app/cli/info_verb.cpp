@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
@@ -18,6 +19,7 @@ namespace {
 struct InfoOptions {
     std::string design;
     bool json = false;
+    BakeOptions bake = {};
 };
 
 struct LayerInfo {
@@ -70,6 +72,26 @@ std::string name_of_table(const TablePicture& picture) {
     return picture.file.substr(0, picture.file.rfind('.'));
 }
 
+// The error that is claimed, and the worst that each size showed which was tried; the last but for a larger
+// one that turned out no better was taken.
+std::string size_reason(const char* quantity, const TableError& error, const std::vector<TriedSize>& tried) {
+    std::vector<std::string> sizes;
+    for (const TriedSize& size : tried)
+        sizes.push_back(fmt::format("{} x {} errs {:.1e}", size.nodes.polar, size.nodes.azimuth, size.worst));
+    return fmt::format("  {}  worst {:.1e}, root mean square {:.1e}, {} directions; tried: {}\n", quantity,
+                       error.worst, error.root_mean_square, error.directions, fmt::join(sizes, ", "));
+}
+
+nlohmann::ordered_json size_json(const TableError& error, const std::vector<TriedSize>& tried) {
+    nlohmann::ordered_json sizes = nlohmann::ordered_json::array();
+    for (const TriedSize& size : tried)
+        sizes.push_back({{"nodes", {size.nodes.polar, size.nodes.azimuth}}, {"worst", size.worst}});
+    return {{"worst", error.worst},
+            {"rms", error.root_mean_square},
+            {"directions", error.directions},
+            {"tried", std::move(sizes)}};
+}
+
 std::string text_info(const Design& design, const Tables& tables) {
     const dvec3 mean = tables.mean;
     std::string text = fmt::format("{}\n", design.name.empty() ? "unnamed design" : one_line(design.name));
@@ -86,8 +108,11 @@ std::string text_info(const Design& design, const Tables& tables) {
     for (const TablePicture& picture : tables_in_use(tables))
         text += fmt::format("  {:<20} {:>4} x {:<4} {:>8} bytes\n", name_of_table(picture), picture.size.x,
                             picture.size.y, picture.values.size() * sizeof(float));
-    text += fmt::format("  baked in {:.3f} s; g is within {:.1e} between nodes\n", tables.seconds,
-                        tables.errors.area.worst);
+    text += fmt::format("  {} bytes in all, baked in {:.3f} s\n", tables.table_floats() * sizeof(float),
+                        tables.seconds);
+    text += fmt::format("\nsizes, for errors within {:.1e}\n", tables.tolerance);
+    text += size_reason("g", tables.errors.area, tables.tried_area);
+    if (tables.plan.albedo) text += size_reason("R", tables.errors.albedo, tables.tried_albedo);
     text += fmt::format("\nshader\n  {}\n\nleft out\n", fmt::join(shader_parts(design, tables), "\n  "));
     for (const Omission& omission : tables.plan.omissions)
         text += fmt::format("  {}: {}\n", omission.what, omission.why);
@@ -118,7 +143,10 @@ std::string json_info(const Design& design, const Tables& tables) {
                        {"symmetry", name_of(tables.plan.symmetry.symmetry)},
                        {"tables", std::move(pictures)},
                        {"bake_seconds", tables.seconds},
-                       {"g_error", tables.errors.area.worst},
+                       {"table_bytes", tables.table_floats() * sizeof(float)},
+                       {"tolerance", tables.tolerance},
+                       {"g", size_json(tables.errors.area, tables.tried_area)},
+                       {"R", size_json(tables.errors.albedo, tables.tried_albedo)},
                        {"shader", shader_parts(design, tables)},
                        {"left_out", std::move(omissions)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -126,7 +154,7 @@ std::string json_info(const Design& design, const Tables& tables) {
 
 int info(const InfoOptions& options, const Interrupt& interrupt) {
     const Design design = load_design(options.design);
-    const auto tables = bake_design(design, options.design, {}, interrupt);
+    const auto tables = bake_design(design, options.design, options.bake, interrupt);
     write_output(options.json ? json_info(design, *tables) : text_info(design, *tables));
     return 0;
 }
@@ -136,6 +164,7 @@ int info(const InfoOptions& options, const Interrupt& interrupt) {
 void declare_info(CLI::App& command, Action& action) {
     const auto options = std::make_shared<InfoOptions>();
     command.add_option("DESIGN", options->design, "a .nacre file")->required();
+    add_tolerance_option(command, options->bake);
     command.add_flag("--json", options->json, "the same as JSON");
     command.callback([options, &action] {
         action = [options](Interrupt& interrupt) { return info(*options, interrupt); };

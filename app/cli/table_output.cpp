@@ -6,10 +6,11 @@
 
 namespace nacre::cli {
 WrittenTables write_tables(const std::filesystem::path& design, const std::filesystem::path& folder,
-                           int threads, Interrupt& interrupt) {
+                           BakeOptions options, Interrupt& interrupt) {
+    options.albedo = true;
     const Design loaded = load_design(design);
     WrittenTables result;
-    result.tables = bake_design(loaded, design, {.albedo = true, .threads = threads}, interrupt);
+    result.tables = bake_design(loaded, design, options, interrupt);
     result.errors = measure_table_errors(*result.tables, Reference(loaded), interrupt.token());
     interrupt.write_files([&] { write_table_files(folder, loaded, *result.tables, result.errors); });
     return result;

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/cli/interrupt.h"
-#include "core/bake/tables.h"
+#include "core/bake/bake.h"
 #include "core/measure/table_error.h"
 
 namespace nacre::cli {
@@ -14,8 +14,8 @@ struct WrittenTables {
     TableErrors errors;
 };
 
-// threads = 0: as many as the machine has.
+// R is always baked.
 WrittenTables write_tables(const std::filesystem::path& design, const std::filesystem::path& folder,
-                           int threads, Interrupt& interrupt);
+                           BakeOptions options, Interrupt& interrupt);
 
 }  // namespace nacre::cli

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/direction_lines.h"
 #include "app/cli/verbs.h"
@@ -17,6 +18,7 @@ namespace {
 struct TablesOptions {
     std::string design;
     bool exact = false;
+    BakeOptions bake = {.albedo = true};
 };
 
 // What `tables` prints of one direction.
@@ -54,7 +56,7 @@ Row read_tables(const Tables& tables, dvec3 k) {
     if (k.z < 0) return {.g = tables.distribution->area(k).g};
     const auto spot = shading.table_spot(k);
     Row row;
-    row.g = shading.projected_area(spot);
+    row.g = shading.projected_area(k, spot);
     row.P = visibility(shading, k, row.g);
     const auto albedo = shading.albedo_spot(k, spot);
     const double full = shading.full_albedo(albedo), kept = shading.clamped_part(k, row.g);
@@ -84,7 +86,7 @@ int tables(const TablesOptions& options, const Interrupt& interrupt) {
             },
             interrupt);
     } else {
-        const auto baked = bake_design(design, options.design, {.albedo = true}, interrupt);
+        const auto baked = bake_design(design, options.design, options.bake, interrupt);
         answer_lines(
             {.directions = 1},
             [&](std::span<const dvec3> k, std::string& text) {
@@ -102,6 +104,7 @@ void declare_tables(CLI::App& command, Action& action) {
     command.add_option("DESIGN", options->design, "a .nacre file")->required();
     command.add_flag("--exact", options->exact,
                      "adaptive integration in double in place of tables; 17 digits");
+    add_tolerance_option(command, options->bake);
     command.footer(
         "Reads lines `kx ky kz` (z = normal; any length but 0; # begins a comment line). Prints for each\n"
         "`g P R0 R1`: the projected area of p normalised to 1, the visibility, and the directional albedo\n"

@@ -17,13 +17,13 @@ using Job = LatestJob<BakeRequest, std::shared_ptr<const Tables>>;
 // inherit it.
 constexpr int worker_niceness = 10;
 
-void bake_twice(const BakeRequest& request, const std::stop_token& stop, const Job::Publish& publish,
-                int threads) {
+void bake_twice(Baker& baker, const BakeRequest& request, const std::stop_token& stop,
+                const Job::Publish& publish, int threads) {
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness);
     check_design(request.design, "design");
     for (const Quality quality : {Quality::draft, Quality::final}) {
         const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
-        publish(bake(request.design, options, stop));
+        publish(baker.bake(request.design, options, stop));
         if (stop.stop_requested()) return;
     }
 }
@@ -42,8 +42,9 @@ std::string plain_words(const std::exception_ptr& error) {
 }  // namespace
 
 BakeJob::BakeJob(int threads)
-    : job_([threads](const BakeRequest& request, const std::stop_token& stop, const Job::Publish& publish) {
-          bake_twice(request, stop, publish, threads);
+    : job_([this, threads](const BakeRequest& request, const std::stop_token& stop,
+                           const Job::Publish& publish) {
+          bake_twice(baker_, request, stop, publish, threads);
       }) {}
 
 void BakeJob::want(const BakeRequest& request) {

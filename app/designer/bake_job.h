@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/bake/bake.h"
+#include "core/bake/baker.h"
 #include "core/bake/latest_job.h"
 #include "core/design/design.h"
 
@@ -33,6 +33,7 @@ class BakeJob {
     void wait() const { job_.wait(); }
 
   private:
+    Baker baker_;  // only the worker calls it
     std::optional<BakeRequest> wanted_;
     std::string problem_;
     LatestJob<BakeRequest, std::shared_ptr<const Tables>> job_;

@@ -23,8 +23,8 @@ std::string tables_text(const Tables& tables) {
     const bool draft = tables.plan.quality == Quality::draft;
     std::string text =
         fmt::format("{}   {}   {}", draft ? "Draft" : "Final", size_text(tables), time_text(tables.seconds));
-    if (tables.errors.area.worst > 0)
-        text += fmt::format("   g within {:.2g} %", tables.errors.area.worst * 100);
+    text += fmt::format("   g within {:.2g} %", tables.errors.area.worst * 100);
+    if (tables.plan.albedo) text += fmt::format(", R within {:.2g} %", tables.errors.albedo.worst * 100);
     return text;
 }
 

@@ -170,7 +170,7 @@ AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1
     const PlacedLobe& placed = distribution_.lobes()[lobe];
     AlbedoValues sum{};
     if (!facets_[lobe].empty()) {
-        auto area = [&](dvec3 k) { return shading_.projected_area(shading_.table_spot(k)); };
+        auto area = [&](dvec3 k) { return shading_.projected_area(k, shading_.table_spot(k)); };
         for (const Facet& facet : facets_[lobe][level]) add(sum, albedo(facet.h, area), facet.mass);
     }
     for (const LobeSpan& span : placed.lobe->spans())
@@ -179,7 +179,7 @@ AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1
 }
 
 AlbedoValues AlbedoRule::over_span(const LobeWalk& walk, std::size_t level, const FacetAlbedo& albedo) const {
-    auto area = [&](dvec3 k) { return shading_.projected_area(shading_.table_spot(k)); };
+    auto area = [&](dvec3 k) { return shading_.projected_area(k, shading_.table_spot(k)); };
     const Order rule = order(level);
     AlbedoValues sum{};
     for (int i = 0; i < 2 * static_cast<int>(rule.psi.size()); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/bake/albedo.h"
 
@@ -10,6 +11,9 @@ namespace {
 
 // The probes' truth is that much closer than the nodes'.
 constexpr double probe_part = 0.2;
+
+// Beyond those between nodes.
+constexpr int grazing_probes = 24;
 
 enum class Place { along_v, along_rho, centre };
 
@@ -32,6 +36,12 @@ std::vector<Probe> choose_probes(const StretchedGrid& grid, const TableSize& nod
         const double column = cell % columns + (place == Place::along_rho ? 1 : 0.5);
         const double row = cell / columns + (place == Place::along_v ? 0 : 0.5);
         probes.push_back({grid.albedo_direction(column / columns, row, nodes.rho), place});
+    }
+    // The last cell before the horizon may hold a layer thinner than itself.
+    for (int i = 0; i < grazing_probes; ++i) {
+        const double column = columns - std::exp2(-2 - i % 12);
+        const double row = nodes.rho == 1 ? 0 : rows * std::fmod((i + 0.5) * std::numbers::phi, 1.0);
+        probes.push_back({grid.albedo_direction(column / columns, row, nodes.rho), Place::centre});
     }
     return probes;
 }

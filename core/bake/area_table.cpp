@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -15,13 +16,17 @@ constexpr int between_most = 768;
 // Samples whose neighbours are looked at.
 constexpr std::size_t worst_looked_at = 12;
 
+// Beyond those between nodes.
+constexpr int grazing_samples = 96;
+
 }  // namespace
 
 AreaTable::AreaTable(std::shared_ptr<const FacetDistribution> distribution,
-                     const DistributionSymmetry& symmetry, const TableSize& nodes, Workers& workers)
+                     const DistributionSymmetry& symmetry, const TableSize& nodes, bool without_moment,
+                     Workers& workers)
     : distribution_(std::move(distribution)),
       nodes_(nodes),
-      grid_(std::make_shared<const StretchedGrid>(*distribution_, symmetry, nodes.psi)) {
+      grid_(std::make_shared<const StretchedGrid>(*distribution_, symmetry, nodes.psi, without_moment)) {
     sample_nodes_and_between(workers);
     fill();
     sample_near_worst(workers);
@@ -63,6 +68,11 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
         for (int i = 0; i < std::max(between_most, cells / 2); ++i)
             samples.push_back(between(strewn_cell(i, columns(), rows()), kinds_between[i % 3]));
     }
+    // A layer at grazing may be thinner than the last cell.
+    for (int i = 0; i < grazing_samples; ++i)
+        samples.push_back(sample_at(
+            columns() - std::exp2(-2 - i % 12),
+            nodes_.psi == 1 ? 0 : rows() * std::fmod((i + 0.5) * std::numbers::phi, 1.0), Place::centre));
     add_samples(std::move(samples), workers);
 }
 

@@ -14,9 +14,9 @@ namespace nacre {
 class AreaTable {
   public:
     // g at every node and at the directions between them by which it is measured.
-    // nodes: w and psi.
+    // nodes: w and psi. without_moment: see `moment` in tables.glsl.
     AreaTable(std::shared_ptr<const FacetDistribution> distribution, const DistributionSymmetry& symmetry,
-              const TableSize& nodes, Workers& workers);
+              const TableSize& nodes, bool without_moment, Workers& workers);
 
     // The table of a distribution that has the same lobes in the same places: other weights, and in each lobe
     // that a brush has touched `changes`, the facets that were added (empty for all others). g is linear in

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "core/bake/coupling.h"
@@ -44,6 +45,19 @@ bool same_albedo(const Design& a, const Design& b) {
     const bool linear = std::holds_alternative<SchlickFresnel>(a.fresnel) &&
                         std::holds_alternative<SchlickFresnel>(b.fresnel);
     return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel);
+}
+
+bool leans(const FacetDistribution& distribution) {
+    const dvec3 moment = distribution.area({0, 0, 1}).gradient;
+    return std::hypot(moment.x, moment.y) > 1e-9 * moment.z;
+}
+
+// The smaller of two tables that both keep to the target, else the one that errs less.
+bool better(const Fitted<AreaTable>& a, const Fitted<AreaTable>& b, double target) {
+    const double error_a = a.error.all.worst, error_b = b.error.all.worst;
+    if (target < std::numeric_limits<double>::infinity() && error_a <= target && error_b <= target)
+        return a.nodes.polar * a.nodes.azimuth < b.nodes.polar * b.nodes.azimuth;
+    return error_a < error_b;
 }
 
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
@@ -115,16 +129,23 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
     const bool fixed = made.options.quality == Quality::draft || made.options.size.has_value();
     const double target =
         fixed ? std::numeric_limits<double>::infinity() : area_part * made.options.tolerance;
-    const Fitted<AreaTable> fitted = fit_table({made.plan.nodes.w, made.plan.nodes.psi}, symmetry, target,
-                                               fixed ? 0 : area_floats_most, [&](TableNodes nodes) {
-                                                   Fitted<AreaTable> result;
-                                                   result.nodes = nodes;
-                                                   result.table = std::make_shared<const AreaTable>(
-                                                       now.distribution, made.plan.symmetry,
-                                                       TableSize{nodes.polar, nodes.azimuth, 0, 0}, workers);
-                                                   result.error = result.table->measure(material);
-                                                   return result;
-                                               });
+    auto fit = [&](bool without_moment) {
+        return fit_table({made.plan.nodes.w, made.plan.nodes.psi}, symmetry, target,
+                         fixed ? 0 : area_floats_most, [&](TableNodes nodes) {
+                             Fitted<AreaTable> result;
+                             result.nodes = nodes;
+                             result.table = std::make_shared<const AreaTable>(
+                                 now.distribution, made.plan.symmetry,
+                                 TableSize{nodes.polar, nodes.azimuth, 0, 0}, without_moment, workers);
+                             result.error = result.table->measure(material);
+                             return result;
+                         });
+    };
+    Fitted<AreaTable> fitted = fit(false);
+    if (leans(*now.distribution)) {
+        const Fitted<AreaTable> other = fit(true);
+        if (better(other, fitted, target)) fitted = other;
+    }
     made.area = fitted.table;
     made.area_error = fitted.error;
     made.fitted_error = fitted.error.all.worst;

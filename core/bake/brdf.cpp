@@ -31,7 +31,7 @@ double Brdf::diffuse_probability() const {
 double Brdf::pdf(dvec3 k1, dvec3 k2) const {
     if (k1.z <= 0 || k2.z <= 0) return 0;
     const Shading<double>& shading = tables_->shading;
-    const double g = shading.projected_area(shading.table_spot(k1));
+    const double g = shading.projected_area(k1, shading.table_spot(k1));
     const double specular = g > 0 ? shading.density(glm::normalize(k1 + k2)) / (4 * g) : 0;
     const double diffuse = diffuse_probability();
     return (1 - diffuse) * specular + diffuse * k2.z / std::numbers::pi;

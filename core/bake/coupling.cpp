@@ -19,7 +19,7 @@ constexpr double nothing_left = 1e-9;
 
 Integrals integrand(const Shading<double>& shading, dvec3 k) {
     const auto spot = shading.table_spot(k);
-    const double g = shading.projected_area(spot);
+    const double g = shading.projected_area(k, spot);
     const auto albedo = shading.albedo_spot(k, spot);
     const dvec3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
     return {shading.full_albedo(albedo) * shading.clamped_part(k, g), share.x, share.y, share.z};

@@ -10,6 +10,9 @@
 
 namespace nacre {
 
+// A larger table is only taken if its error is at most this part of the smaller one's.
+inline constexpr double worth_it = 0.9;
+
 template <class Table>
 struct Fitted {
     std::shared_ptr<const Table> table;
@@ -42,9 +45,14 @@ auto fit_table(TableNodes first, Symmetry symmetry, double target, int limit, co
     for (int round = 0; round < rounds && best.error.all.worst > target; ++round) {
         TableNodes next = better(best, target);
         if (count(next) <= count(best.nodes)) next = better(best, 0.6 * target);
-        if (count(next) <= count(best.nodes)) break;
-        const auto larger = made(next);
-        if (larger.error.all.worst >= best.error.all.worst) break;
+        auto larger = best;
+        // What stands between both kinds of nodes may hide which axis it owes to: then the azimuth is tried.
+        for (const TableNodes nodes : {next, more_azimuths(best.nodes, symmetry, limit)}) {
+            if (count(nodes) <= count(best.nodes)) continue;
+            larger = made(nodes);
+            if (larger.error.all.worst <= worth_it * best.error.all.worst) break;
+        }
+        if (larger.error.all.worst > worth_it * best.error.all.worst) break;
         best = larger;
     }
     const TableNodes smaller = better(best, 0.8 * target);

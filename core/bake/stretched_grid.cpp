@@ -105,12 +105,14 @@ int strewn_cell(int i, int columns, int rows) {
 }
 
 StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const DistributionSymmetry& symmetry,
-                             int nodes_psi)
+                             int nodes_psi, bool without_moment)
     : symmetry_(symmetry.symmetry) {
     auto& shape = shading_.surface.tables;
     shape.symmetry = static_cast<int>(symmetry_);
     shape.nodes_psi = nodes_psi;
-    shape.g_normal = distribution.projected_area({0, 0, 1});
+    const Area above = distribution.area({0, 0, 1});
+    shape.g_normal = above.g;
+    if (without_moment) shape.moment = dvec2(above.gradient);
     fit_ellipse(distribution, symmetry.axis * (pi / 180));
 }
 
@@ -124,7 +126,8 @@ void StretchedGrid::fit_ellipse(const FacetDistribution& distribution, double ax
     shape.axis = {std::cos(axis), std::sin(axis)};
     shape.stretch =
         symmetry_ == Symmetry::isotropic ? dvec2{width(axis)} : dvec2{width(axis), width(axis + pi / 2)};
-    if (symmetry_ != Symmetry::half && symmetry_ != Symmetry::none) return;
+    const bool leans = symmetry_ == Symmetry::half || symmetry_ == Symmetry::none;
+    if (!leans || shape.moment != dvec2{0}) return;
     const dvec3 ahead{shape.axis, 0};
     const double here = distribution.projected_area(ahead), there = distribution.projected_area(-ahead);
     if (here + there > 0) shape.lean = lean_most * (here - there) / (here + there);

@@ -19,8 +19,10 @@ int strewn_cell(int i, int columns, int rows);
 
 class StretchedGrid {
   public:
-    // Measures p: g(n), its width D(phi) at grazing, the ellipse of that width and how far p leans.
-    StretchedGrid(const FacetDistribution& distribution, const DistributionSymmetry& symmetry, int nodes_psi);
+    // Measures p: g(n), its width D(phi) at grazing, the ellipse of that width and how far p leans; its
+    // moment, where that is to be left out of the table.
+    StretchedGrid(const FacetDistribution& distribution, const DistributionSymmetry& symmetry, int nodes_psi,
+                  bool without_moment);
 
     // The fields of the shader's table shape that do not depend on where the tables lie.
     const Shading<double>::TableShape& shape() const { return shading_.surface.tables; }
@@ -31,7 +33,9 @@ class StretchedGrid {
     dvec3 albedo_direction(double v, double row, int nodes_rho) const;
 
     // A at k, from g there.
-    double shape_value(dvec3 k, double g) const { return g / spot(k).scale; }
+    double shape_value(dvec3 k, double g) const {
+        return (g - glm::dot(dvec2(k), shape().moment)) / spot(k).scale;
+    }
 
   private:
     void fit_ellipse(const FacetDistribution& distribution, double axis);

@@ -63,4 +63,13 @@ TableNodes better_nodes(TableNodes now, Symmetry symmetry, double error_polar, d
     return best;
 }
 
+TableNodes more_azimuths(TableNodes now, Symmetry symmetry, int limit) {
+    if (symmetry == Symmetry::isotropic) return now;
+    const int azimuths = rows(2 * cells_of(now.azimuth, symmetry), symmetry);
+    TableNodes more = now;
+    for (const int polar : steps)
+        if (polar < now.polar && (polar + 1) * azimuths <= limit) more = {polar + 1, azimuths};
+    return more;
+}
+
 }  // namespace nacre

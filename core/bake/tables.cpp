@@ -15,7 +15,7 @@ std::size_t Tables::table_floats() const {
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double exact) {
-    return area_error(shading, k, shading.projected_area(shading.table_spot(k)), exact);
+    return area_error(shading, k, shading.projected_area(k, shading.table_spot(k)), exact);
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double read, double exact) {
@@ -28,7 +28,7 @@ Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels) {
     const auto spot = shading.table_spot(k);
     const auto albedo = shading.albedo_spot(k, spot);
     const double full = shading.full_albedo(albedo);
-    const double kept = shading.clamped_part(k, shading.projected_area(spot));
+    const double kept = shading.clamped_part(k, shading.projected_area(k, spot));
     const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
     Values<4> values{full * kept};
     for (int c = 0; c < channels; ++c)

@@ -124,7 +124,7 @@ Json evaluation_json(const Tables& tables) {
         "2 - u in its place where a < 0; then 4 minus it where b < 0",
         "q = sqrt((stretch[0] x')^2 + (stretch[1] y')^2)",
         "w = 2 q/(z g_normal + 2 q); 0 where the denominator is 0",
-        "g = (z g_normal + 2 q) max(0, A(w, psi))",
+        "g = max(0, x moment[0] + y moment[1] + (z g_normal + 2 q) A(w, psi))",
         "P = N z/g; with clamp P = min(1, N z/g)"};
     if (tables.plan.albedo) {
         steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + turns(x', y'))/2");
@@ -246,6 +246,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
     Json json = {{"format", "nacre tables"}, {"version", 1}, {"name", design.name}, {"note", design.note}};
     json["constants"] = {{"N", surface.N},
                          {"g_normal", shape.g_normal},
+                         {"moment", numbers(shape.moment)},
                          {"axis", numbers(shape.axis)},
                          {"stretch", numbers(shape.stretch)},
                          {"lean", shape.lean},
@@ -271,9 +272,14 @@ std::string table_manifest(const Design& design, const Tables& tables,
         "g, q: areas per area of facets; A, R and P: parts of 1; psi and rho in quarter turns, other "
         "angles in radians unless said; colours "
         "linear Rec. 709";
-    json["error"] = {{"g", error_json(errors.area)},   {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},
-                     {"R", error_json(errors.albedo)}, {"R_is", "|R - exact|"},
-                     {"tolerance", tables.tolerance},  {"against", "adaptive integration in double"}};
+    json["error"] = {
+        {"g", error_json(errors.area)},
+        {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},
+        {"R", error_json(errors.albedo)},
+        {"R_is", "|R - exact|"},
+        {"tolerance", tables.tolerance},
+        {"by_the_bake", {{"g", error_json(tables.errors.area)}, {"R", error_json(tables.errors.albedo)}}},
+        {"against", "adaptive integration in double"}};
     json["bake_seconds"] = tables.seconds;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -26,6 +26,7 @@ void visit_layer_fields(const Visit& visit, Layers&... layers) {
 template <class Visit, class... Shapes>
 void visit_table_fields(const Visit& visit, Shapes&... shapes) {
     visit("g_normal", shapes.g_normal...);
+    visit("moment", shapes.moment...);
     visit("axis", shapes.axis...);
     visit("stretch", shapes.stretch...);
     visit("lean", shapes.lean...);

@@ -149,7 +149,7 @@ Direction direction(real3 k) READS {
     Direction a;
     TableSpot spot = table_spot(k);
     a.k = k;
-    a.g = projected_area(spot);
+    a.g = projected_area(k, spot);
     a.R = real3(0.0);
 #if HAS_ALBEDO
     if (READS_ALBEDO) a.R = albedo_of(k, a.g, albedo_spot(k, spot));

@@ -33,6 +33,7 @@ struct Layer {
 // The baked tables' shape; see tables.glsl.
 struct TableShape {
     real g_normal;  // g(n)
+    real2 moment;   // along the tangent and bitangent: of what is linear in k and left out of the table of g
     real2 axis;     // cos and sin of the azimuth that the tables are aligned with
     real2 stretch;  // widths of p along that axis and across it
     real lean;      // -1 to 1: how far rows gather opposite to that axis

@@ -1,13 +1,17 @@
 // The projected area g(k) and the albedo R(k) from tables whose directions are stretched by p's own width,
 // so that their error does not depend on how narrow p is.
 //
-//   g(k) = (c g(n) + 2 q) A(w, psi),   q = |L (kx, ky)|: an ellipse through p's width <|h.k|>/2 at grazing
-//   w = 2 q / (c g(n) + 2 q),          psi = azimuth after that ellipse is made a circle, in quarter turns (see
-//                                      quarter_turns())
+//   g(k) = (kx, ky).m + (c g(n) + 2 q) A(w, psi),   q = |L (kx, ky)|: an ellipse through p's width <|h.k|>/2 at
+//                                                   grazing
+//   w = 2 q / (c g(n) + 2 q),   psi = azimuth after that ellipse is made a circle, in quarter turns (see
+//                               quarter_turns())
 //
 // c g(n) + 2 q is what g is near the normal and, where <h> stands on n, about twice what it is at grazing: A is 1
-// at the normal (w = 0) and about 1/2 there (w = 1). Straight lines in w are chords of the homogeneous, convex g
-// on a meridian.
+// at the normal (w = 0) and, with m = 0, about 1/2 there (w = 1). Straight lines in w are chords of the homogeneous,
+// convex g on a meridian, and exact for what is linear in k. m is 0, or for a p that leans the horizontal part of
+// the integral of h p over the facets above the horizon, whichever errs less: where facets turn away at once, as
+// those of a tilted needle, g is linear before; where they do so little by little, m.k and the rest would cancel,
+// and rows that gather there serve better (table_turns).
 // R also turns at the scale of the hemisphere itself (Fresnel, a lobe that is narrow one way and wide the
 // other), so its tables share their nodes between both scales:
 //
@@ -128,9 +132,10 @@ real table_value(TableRows rows, int offset, int nodes, real at) READS {
 }
 
 // g at a spot, p normalised to 1                                     (Ashikhmin 2000, eq. 18)
-real projected_area(TableSpot spot) READS {
+real projected_area(real3 k, TableSpot spot) READS {
     real a = table_value(spot.psi, surface.tables.area_offset, surface.tables.nodes_w, spot.w);
-    return spot.scale * max(a, real(0.0));
+    real linear = k.x * surface.tables.moment.x + k.y * surface.tables.moment.y;
+    return max(linear + spot.scale * a, real(0.0));
 }
 
 #if HAS_ALBEDO

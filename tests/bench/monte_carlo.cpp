@@ -20,7 +20,7 @@ dvec2 AlbedoSampler::from_k2(const Shading<double>::Direction& k1, Random& rando
     const double sine = std::sqrt(1 - z * z);
     const dvec3 k2{sine * std::cos(phi), sine * std::sin(phi), z};
     const dvec3 h = glm::normalize(k1.k + k2);
-    const double g2 = shading_.projected_area(shading_.table_spot(k2));
+    const double g2 = shading_.projected_area(k2, shading_.table_spot(k2));
     // rho c2 over 1/(2 pi)
     const double value = 0.5 * pi * shading_.density(h) * shading_.visibility(k1, {k2, g2, dvec3{0}}) * k2.z;
     return both(value, glm::dot(k1.k, h));
@@ -31,7 +31,7 @@ dvec2 AlbedoSampler::from_facet(const Shading<double>::Direction& k1, dvec3 h, d
     const double cosine = glm::dot(k1.k, h);
     const dvec3 k2 = 2 * cosine * h - k1.k;
     if (k2.z <= 0 || weight <= 0) return dvec2{0};
-    const double g2 = shading_.projected_area(shading_.table_spot(k2));
+    const double g2 = shading_.projected_area(k2, shading_.table_spot(k2));
     return both(weight * shading_.visibility(k1, {k2, g2, dvec3{0}}) * k2.z, cosine);
 }
 

@@ -77,7 +77,8 @@ class Stranger {
         const double m = constants.at("g_normal"), n = constants.at("N");
         const double w = 2 * q / (k.z * m + 2 * q);
         Answer answer{};
-        answer.g = (k.z * m + 2 * q) * std::max(0.0, value("A", w, psi));
+        answer.g = std::max(0.0, k.x * number("moment", 0) + k.y * number("moment", 1) +
+                                     (k.z * m + 2 * q) * value("A", w, psi));
         answer.P = n * k.z / answer.g;
         if (clamp) answer.P = std::min(1.0, answer.P);
         const double s = std::hypot(k.x, k.y), v = (w + s / (k.z + s)) / 2;

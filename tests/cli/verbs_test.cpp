@@ -29,8 +29,12 @@ TEST_CASE("info tells layers, moments, tables, shader parts and what is left out
     CHECK(info.at("layers").at(2).at("share") == 0);
     CHECK(info.at("symmetry") == "quarter");
     CHECK(info.at("N").get<double>() > 0.5);
-    CHECK(info.at("tables").size() == 3);
-    CHECK(info.at("tables").at(2).at("name") == "albedo");
+    CHECK(info.at("tables").size() == 2);
+    CHECK(info.at("tables").at(1).at("name") == "albedo");
+    CHECK(info.at("tolerance") == 1e-3);
+    CHECK(info.at("table_bytes").get<int>() <= 65536);
+    CHECK(info.at("g").at("worst").get<double>() < 1e-3);
+    CHECK(info.at("g").at("tried").size() >= 1);
     CHECK(info.at("left_out").size() > 3);
     const std::string text = answer({"info", design.path()});
     for (const char* part :

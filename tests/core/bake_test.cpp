@@ -60,7 +60,7 @@ TEST_CASE("g and R of the tables agree with the reference") {
             const dvec3 k = i == 0 ? polar(1e-5, 0.3) : random_direction(random);
             const auto spot = shading.table_spot(k);
             const auto albedo = shading.albedo_spot(k, spot);
-            const double g = shading.projected_area(spot), full = shading.full_albedo(albedo);
+            const double g = shading.projected_area(k, spot), full = shading.full_albedo(albedo);
             const AlbedoValues exact = reference.albedo(k);
             CHECK(std::fabs(g / reference.projected_area(k) - 1) < 1e-3);
             CHECK(std::fabs(full - exact[0]) < 2e-3);
@@ -79,7 +79,7 @@ TEST_CASE("the measured error of g is the error that other directions see") {
         double worst = 0;
         for (int i = 0; i < 2000; ++i) {
             const dvec3 k = random_direction(random);
-            const double g = tables->shading.projected_area(tables->shading.table_spot(k));
+            const double g = tables->shading.projected_area(k, tables->shading.table_spot(k));
             worst = std::fmax(worst, std::fabs(g / p.area(k).g - 1));
         }
         CHECK(worst < 1.25 * tables->errors.area.worst);

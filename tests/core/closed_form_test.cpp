@@ -37,7 +37,7 @@ double beckmann_visibility(dvec3 k, double ax, double ay) {
 
 // P from the tables, as a renderer reads it.
 double baked_visibility(const Tables& tables, dvec3 k) {
-    return tables.shading.surface.N * k.z / tables.shading.projected_area(tables.shading.table_spot(k));
+    return tables.shading.surface.N * k.z / tables.shading.projected_area(k, tables.shading.table_spot(k));
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST_CASE("a bake uses no more symmetry than it is told, and never more than p h
     CHECK(bake(design, {.symmetry = Symmetry::isotropic})->data == plain->data);
     const dvec3 k = polar(0.2, 4);
     const double g = plain->distribution->area(k).g;
-    CHECK(std::fabs(whole->shading.projected_area(whole->shading.table_spot(k)) / g - 1) < 1e-3);
+    CHECK(std::fabs(whole->shading.projected_area(k, whole->shading.table_spot(k)) / g - 1) < 1e-3);
 }
 
 TEST_CASE("the report's files are whole: CSV rows, JSON and XML") {
