@@ -87,7 +87,16 @@ std::vector<float> run(const Program& program, const Tables& tables, const std::
     return target.read();
 }
 
-// The largest relative difference, of values above 1e-6 of the largest.
+// At the edge of what is painted p rises from 0 within a texel, and float knows a place in a texel to some
+// 1e-5.
+double least_value(const Shading<double>& shading) {
+    for (int i = 0; i < shading.layer_count; ++i)
+        if (shading.layers[i].kind == Shading<double>::LOBE_PAINTED || shading.layers[i].picture_size > 0)
+            return 0.02;
+    return 1e-6;
+}
+
+// The largest relative difference, of values above least_value() of the largest.
 double worst_difference(const std::vector<float>& values, const Tables& tables,
                         const std::vector<glm::vec4>& pairs) {
     const Shading<double>& shading = tables.shading;
@@ -104,7 +113,7 @@ double worst_difference(const std::vector<float>& values, const Tables& tables,
             const double e = expected[i][static_cast<int>(c)];
             const double difference = std::fabs(static_cast<double>(values[4 * i + c]) - e);
             if (!(difference <= 1e9)) return 1e9;
-            worst = std::max(worst, difference / std::max(e, 1e-6 * largest));
+            worst = std::max(worst, difference / std::max(e, least_value(shading) * largest));
         }
     return worst;
 }
