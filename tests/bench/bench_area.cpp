@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/bake/area_table.h"
+#include "core/model/picture_lobe.h"
 #include "tests/bench/bench_designs.h"
 #include "tests/bench/plain_area.h"
 #include "tests/bench/subjects.h"
@@ -16,13 +18,57 @@ namespace {
 constexpr int side = 512;
 constexpr int directions = 1024;
 
-void add_full(Report& report, Quality quality, const char* name) {
+void add_full(Report& report, const char* name, const BakeOptions& options) {
     const std::string what = fmt::format("g of painted 512: raster to table, {}", name);
     add_benchmark(what, 15, [=, &report](benchmark::State& state) {
         const Design design = painted(side);
-        const double seconds =
-            repeat(state, [&] { benchmark::DoNotOptimize(bake(design, {.quality = quality})); });
-        report.add(within(what, seconds, 15e-3));
+        std::shared_ptr<const Tables> tables;
+        const double seconds = repeat(state, [&] { tables = bake(design, options); });
+        Line line = within(what, seconds, 15e-3);
+        line.remark = fmt::format("{} x {} nodes, g within {:.1e}", tables->plan.nodes.w,
+                                  tables->plan.nodes.psi, tables->errors.area.worst);
+        report.add(line);
+    });
+}
+
+// The painted design with a square of 16 x 16 texels raised.
+Design dabbed() {
+    Design design = painted(side);
+    Picture& image = std::get<PaintedLobe>(design.distribution.layers[0].lobe).image;
+    Raster raster = *image.raster;
+    for (int row = 200; row < 216; ++row)
+        for (int column = 300; column < 316; ++column)
+            raster.values[static_cast<std::size_t>(row * side + column)] += 0.5F;
+    image.raster = std::make_shared<const Raster>(std::move(raster));
+    return design;
+}
+
+// From the touched raster to the table of g, against the same from the raster alone.
+void add_dab(Report& report) {
+    const std::string what = "g of painted 512, 33 x 64 nodes: a dab of 16 x 16 against all of it";
+    add_benchmark(what, 25, [=, &report](benchmark::State& state) {
+        Workers workers(0);
+        const TableSize nodes{33, 64, 0, 0};
+        const Design before = painted(side), after = dabbed();
+        const Layer& layer = after.distribution.layers[0];
+        auto anew = [&](const Design& design) {
+            return AreaTable(std::make_shared<const FacetDistribution>(design.distribution), {}, nodes, false,
+                             workers);
+        };
+        const AreaTable table = anew(before);
+        const LobeModel& lobe = *table.distribution()->lobes()[0].lobe;
+        const Pair pair = interleave(
+            state, 1,
+            [&] {
+                const Repaint touched = *repaint(lobe, layer);
+                auto distribution = std::make_shared<const FacetDistribution>(
+                    after.distribution, [&](const Layer&, std::size_t) { return touched.lobe; });
+                benchmark::DoNotOptimize(AreaTable(table, distribution, {touched.changes}, workers));
+            },
+            [&] { benchmark::DoNotOptimize(anew(after)); });
+        report.add(faster(what, pair, 30));
+        report.add(within("  the dab", pair.ours, 1e-3));
+        report.add(within("  all of it", pair.theirs, 15e-3));
     });
 }
 
@@ -55,8 +101,9 @@ void add_directions(Report& report, const char* name) {
 }  // namespace
 
 void add_area(Report& report) {
-    add_full(report, Quality::draft, "draft");
-    add_full(report, Quality::final, "final");
+    add_full(report, "draft", {.quality = Quality::draft});
+    add_full(report, "to 1e-3", {});
+    add_dab(report);
     add_directions<double>(report, "double");
     add_directions<float>(report, "float");
 }

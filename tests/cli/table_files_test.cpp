@@ -71,7 +71,8 @@ class Stranger {
         if (symmetry == "quarter" || symmetry == "half") y = std::fabs(y);
         const double along = number("stretch", 0) * x, across = number("stretch", 1) * y;
         const double lean = constants.at("lean"), radius = std::hypot(x, y);
-        double psi = turns(number("stretch", 0) * (x + lean * radius), across * std::sqrt(1 - lean * lean)), rho = (psi + turns(x, y)) / 2;
+        double psi = turns(number("stretch", 0) * (x + lean * radius), across * std::sqrt(1 - lean * lean)),
+               rho = (psi + turns(x, y)) / 2;
         if (symmetry == "isotropic") psi = rho = 0;
         const double q = std::hypot(along, across);
         const double m = constants.at("g_normal"), n = constants.at("N");
