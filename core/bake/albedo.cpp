@@ -125,7 +125,9 @@ AlbedoRule::AlbedoRule(const FacetDistribution& distribution, const Shading<doub
         if (coarsest) break;
     }
     if (coarsest) return;
-    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) level_[lobe] = choose_level(lobe, tolerance);
+    // The lobes' errors add up, as they come.
+    const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
+    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) level_[lobe] = choose_level(lobe, part);
 }
 
 std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) const {

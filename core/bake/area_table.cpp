@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-// Directions between nodes: three a cell up to this many, then half as many as there are cells, strewn
+// Directions between nodes: three a cell up to this many, then a third as many as there are cells, strewn
 // evenly.
 constexpr int between_most = 768;
 
@@ -65,7 +65,7 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
         for (int cell = 0; cell < cells; ++cell)
             for (const Place place : kinds_between) samples.push_back(between(cell, place));
     } else {
-        for (int i = 0; i < std::max(between_most, cells / 2); ++i)
+        for (int i = 0; i < std::max(between_most, cells / 3); ++i)
             samples.push_back(between(strewn_cell(i, columns(), rows()), kinds_between[i % 3]));
     }
     // A layer at grazing may be thinner than the last cell.

@@ -22,6 +22,9 @@ constexpr int floats_most = 16384, area_floats_most = 9216;
 // Directions by which R is measured.
 constexpr int final_probes = 160, draft_probes = 16;
 
+// From here on the form of g that leaves out the moment is tried too.
+constexpr double strong_lean = 0.15;
+
 // A draft's grid is fitted anew when the error of g has grown so much since.
 constexpr double outgrown = 2, outgrown_least = 5e-3;
 
@@ -47,9 +50,11 @@ bool same_albedo(const Design& a, const Design& b) {
     return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel);
 }
 
-bool leans(const FacetDistribution& distribution) {
+// Of the mean normal of the facets above the horizon, as a slope; 0 where it is rounding.
+double lean_of(const FacetDistribution& distribution) {
     const dvec3 moment = distribution.area({0, 0, 1}).gradient;
-    return std::hypot(moment.x, moment.y) > 1e-9 * moment.z;
+    const double slope = std::hypot(moment.x, moment.y) / moment.z;
+    return slope > 1e-9 ? slope : 0;
 }
 
 // The smaller of two tables that both keep to the target, else the one that errs less.
@@ -142,7 +147,8 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
                          });
     };
     Fitted<AreaTable> fitted = fit(false);
-    if (leans(*now.distribution)) {
+    const double leaning = lean_of(*now.distribution);
+    if (leaning > strong_lean || (leaning > 0 && fitted.error.all.worst > target)) {
         const Fitted<AreaTable> other = fit(true);
         if (better(other, fitted, target)) fitted = other;
     }
@@ -160,7 +166,7 @@ void Baker::make_albedo(Kept& made, const Shading<double>& material, Workers& wo
     const double tolerance = made.options.tolerance;
     const bool draft = made.options.quality == Quality::draft, fixed = draft || made.options.size.has_value();
     const AlbedoEffort effort = draft ? AlbedoEffort{never, 0.3 * tolerance, draft_probes}
-                                      : AlbedoEffort{0.2 * tolerance, 0.05 * tolerance, final_probes};
+                                      : AlbedoEffort{0.3 * tolerance, 0.1 * tolerance, final_probes};
     const double target =
         fixed ? never
               : std::max(albedo_part * tolerance - made.area_error.all.root_mean_square, 0.3 * tolerance);

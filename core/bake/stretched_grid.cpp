@@ -55,7 +55,7 @@ double grazing_width(const FacetDistribution& distribution, double phi, double l
 // neighbours of a dense row.
 template <class Width>
 double narrowest(const Width& width) {
-    constexpr int steps = 64;
+    constexpr int steps = 32;
     int best = 0;
     double least = width(0);
     for (int i = 1; i < steps; ++i) {
@@ -67,7 +67,7 @@ double narrowest(const Width& width) {
     }
     double low = pi * (best - 1) / steps, high = pi * (best + 1) / steps;
     const double ratio = 1 / std::numbers::phi;
-    while (high - low > 1e-6) {
+    while (high - low > 1e-4) {
         const double a = high - ratio * (high - low), b = low + ratio * (high - low);
         const bool left = width(a) < width(b);
         (left ? high : low) = left ? b : a;

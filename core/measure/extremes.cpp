@@ -110,6 +110,7 @@ void add_tilts(Cases& cases) {
         add(fmt::format("gaussian {:g} by 89 degrees", width), of(GaussianLobe{width, width}, 89),
             leaning_claim);
     add("ggx 0.0001 by 45 degrees", of(GgxLobe{1e-4, 1e-4}, 45), usual_claim);
+    cases.back().albedo_claim = layer_claim;
     add("inverse gaussian 0.01 by 89 degrees", of(InverseGaussianLobe{0.01}, 89), usual_claim);
     add("gaussian (0.01, infinity) by 89 degrees", of(GaussianLobe{0.01, infinity}, 89), usual_claim);
     add("gaussian (infinity, 0.01) by 89 degrees", of(GaussianLobe{infinity, 0.01}, 89), leaning_claim);
