@@ -9,9 +9,6 @@
 namespace nacre {
 namespace {
 
-// The probes' truth is that much closer than the nodes'.
-constexpr double probe_part = 0.2;
-
 // Beyond those between nodes.
 constexpr int grazing_probes = 24;
 
