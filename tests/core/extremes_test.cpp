@@ -15,7 +15,7 @@ using namespace nacre::test;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef NACRE_SANITIZED
 constexpr bool cheap = true;
 #else
 constexpr bool cheap = false;
