@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace nacre {
 namespace {
@@ -55,6 +56,22 @@ Order order(std::size_t level) {
 
 constexpr std::size_t orders = 6;
 
+// The rule's points over one hemisphere of a smooth lobe, as facets.
+void walk_span(const LobeWalk& walk, std::size_t level, FacetColumns& facets) {
+    const Order rule = order(level);
+    for (int i = 0; i < 2 * static_cast<int>(rule.psi.size()); ++i) {
+        const QuadraturePoint& a = rule.psi[static_cast<std::size_t>(i / 2)];
+        const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (i % 2 + a.x));
+        for_each_part(ray, walk.breaks(), [&](double begin, double end) {
+            for (const QuadraturePoint& b : rule.chi) {
+                Facet facet = walk.facet(ray, begin + (end - begin) * b.x);
+                facet.mass *= pi * a.weight * (end - begin) * b.weight;
+                if (facet.mass > 0) facets.add(facet);
+            }
+        });
+    }
+}
+
 // Directions by which the level is chosen: c from 0 to 1, crowded at grazing, azimuths all round.
 constexpr int trials = 16;
 
@@ -62,6 +79,21 @@ dvec3 trial_direction(int i) {
     const double c = std::pow(i / (trials - 1.0), 2), s = std::sqrt((1 - c) * (1 + c));
     const double phi = 2 * pi * std::fmod(i * std::numbers::phi, 1.0);
     return {s * std::cos(phi), s * std::sin(phi), c};
+}
+
+// In columns that run to and fro, so that facets which are summed side by side read the tables at places near
+// each other.
+FacetColumns columns_of(const std::vector<Facet>& facets) {
+    constexpr int bands = 24;
+    std::vector<std::pair<double, const Facet*>> places;
+    for (const Facet& facet : facets) {
+        const int band = static_cast<int>(0.5 * (facet.h.y + 1) * bands);
+        places.emplace_back(4 * band + (band % 2 == 0 ? facet.h.x : -facet.h.x), &facet);
+    }
+    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    FacetColumns columns;
+    for (const auto& [place, facet] : places) columns.add(*facet);
+    return columns;
 }
 
 double difference(const AlbedoValues& a, const AlbedoValues& b) {
@@ -115,23 +147,31 @@ AlbedoRule::AlbedoRule(const FacetDistribution& distribution, const Shading<doub
     : distribution_(distribution),
       shading_(shading),
       channels_(channels),
-      facets_(distribution.lobes().size()),
       level_(distribution.lobes().size(), 0) {
-    const bool coarsest = tolerance == std::numeric_limits<double>::infinity();
-    for (const std::size_t count : facet_counts) {
-        const std::vector<std::vector<Facet>> level = distribution.facets(count);
-        for (std::size_t i = 0; i < level.size(); ++i)
-            if (!level[i].empty()) facets_[i].push_back(level[i]);
-        if (coarsest) break;
-    }
-    if (coarsest) return;
+    make_facets(0);
+    if (tolerance < std::numeric_limits<double>::infinity()) refine(tolerance);
+}
+
+AlbedoRule AlbedoRule::finer(double tolerance) const {
+    AlbedoRule rule = *this;
+    rule.refine(tolerance);
+    return rule;
+}
+
+void AlbedoRule::refine(double tolerance) {
     // The lobes' errors add up, as they come.
     const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
     for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) level_[lobe] = choose_level(lobe, part);
 }
 
-std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) const {
-    std::array<AlbedoValues, trials> now;
+void AlbedoRule::make_facets(std::size_t level) {
+    if (level < facets_.size()) return;
+    facets_.emplace_back();
+    for (const std::vector<Facet>& of_lobe : distribution_.facets(facet_counts[level]))
+        facets_.back().push_back(columns_of(of_lobe));
+}
+
+std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) {
     auto evaluate = [&](std::size_t level) {
         std::array<AlbedoValues, trials> values;
         for (int i = 0; i < trials; ++i) {
@@ -140,9 +180,12 @@ std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) const {
         }
         return values;
     };
-    now = evaluate(0);
-    std::size_t level = 0;
-    for (; level + 1 < levels(lobe); ++level) {
+    const bool smooth = !distribution_.lobes()[lobe].lobe->spans().empty();
+    const std::size_t levels = smooth ? orders : facet_counts.size();
+    std::size_t level = level_[lobe];
+    std::array<AlbedoValues, trials> now = evaluate(level);
+    for (; level + 1 < levels; ++level) {
+        if (!smooth) make_facets(level + 1);
         const std::array<AlbedoValues, trials> finer = evaluate(level + 1);
         double worst = 0, squares = 0;
         for (std::size_t i = 0; i < finer.size(); ++i) {
@@ -163,39 +206,12 @@ AlbedoValues AlbedoRule::operator()(dvec3 k1, double g1) const {
     return sum;
 }
 
-std::size_t AlbedoRule::levels(std::size_t lobe) const {
-    return facets_[lobe].empty() ? orders : facets_[lobe].size();
-}
-
 AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
-    const FacetAlbedo albedo{shading_, k1, g1, channels_};
     const PlacedLobe& placed = distribution_.lobes()[lobe];
-    AlbedoValues sum{};
-    if (!facets_[lobe].empty()) {
-        auto area = [&](dvec3 k) { return shading_.projected_area(k, shading_.table_spot(k)); };
-        for (const Facet& facet : facets_[lobe][level]) add(sum, albedo(facet.h, area), facet.mass);
-    }
-    for (const LobeSpan& span : placed.lobe->spans())
-        add(sum, over_span(LobeWalk(placed, span, k1), level, albedo), 1);
-    return sum;
-}
-
-AlbedoValues AlbedoRule::over_span(const LobeWalk& walk, std::size_t level, const FacetAlbedo& albedo) const {
-    auto area = [&](dvec3 k) { return shading_.projected_area(k, shading_.table_spot(k)); };
-    const Order rule = order(level);
-    AlbedoValues sum{};
-    for (int i = 0; i < 2 * static_cast<int>(rule.psi.size()); ++i) {
-        const QuadraturePoint& a = rule.psi[static_cast<std::size_t>(i / 2)];
-        const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (i % 2 + a.x));
-        for_each_part(ray, walk.breaks(), [&](double begin, double end) {
-            for (const QuadraturePoint& b : rule.chi) {
-                const Facet facet = walk.facet(ray, begin + (end - begin) * b.x);
-                if (facet.mass <= 0) continue;
-                add(sum, albedo(facet.h, area), pi * a.weight * (end - begin) * b.weight * facet.mass);
-            }
-        });
-    }
-    return sum;
+    if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
+    FacetColumns facets;
+    for (const LobeSpan& span : placed.lobe->spans()) walk_span(LobeWalk(placed, span, k1), level, facets);
+    return sum_albedo(shading_, k1, g1, channels_, facets);
 }
 
 }  // namespace nacre

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/bake/albedo.h"
-
 namespace nacre {
 namespace {
 
@@ -45,18 +43,16 @@ std::vector<Probe> choose_probes(const StretchedGrid& grid, const TableSize& nod
 
 }  // namespace
 
-AlbedoTable::AlbedoTable(const AreaTable& area, const Shading<double>& material, const BakePlan& plan,
-                         const AlbedoEffort& effort, Workers& workers) {
+AlbedoTable::AlbedoTable(const AlbedoRules& rules, const BakePlan& plan, Workers& workers) {
     const int columns = plan.nodes.v, count = columns * plan.nodes.rho, channels = plan.fresnel_tables;
-    const FacetDistribution& distribution = *area.distribution();
-    Shading<double> shading = area.shading(material);
-    const AlbedoRule rule(distribution, shading, channels, effort.rule_tolerance);
+    const FacetDistribution& distribution = *rules.area().distribution();
+    const Shading<double>& shading = rules.shading();
     data_.resize(static_cast<std::size_t>(count * (1 + channels)));
     workers.for_each(count, [&](int i) {
-        const dvec3 k = area.grid().albedo_direction(static_cast<double>(i % columns) / (columns - 1),
-                                                     i / columns, plan.nodes.rho);
+        const dvec3 k = rules.area().grid().albedo_direction(static_cast<double>(i % columns) / (columns - 1),
+                                                             i / columns, plan.nodes.rho);
         const double g = distribution.projected_area(k), kept = shading.clamped_part(k, g);
-        AlbedoValues values = rule(k, g);
+        AlbedoValues values = rules.nodes()(k, g);
         for (double& value : values) value = kept > 0 ? value / kept : 0;
         data_[static_cast<std::size_t>(i)] = static_cast<float>(values[0]);
         const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
@@ -64,23 +60,22 @@ AlbedoTable::AlbedoTable(const AreaTable& area, const Shading<double>& material,
             data_[static_cast<std::size_t>(i + (c + 1) * count)] =
                 static_cast<float>(values[static_cast<std::size_t>(c + 1)] - f[c] * values[0]);
     });
-    measure(area, shading, plan, effort, workers);
+    measure(rules, plan, workers);
 }
 
-void AlbedoTable::measure(const AreaTable& area, Shading<double> shading, const BakePlan& plan,
-                          const AlbedoEffort& effort, Workers& workers) {
-    const FacetDistribution& distribution = *area.distribution();
-    std::vector<float> data = area.data();
+void AlbedoTable::measure(const AlbedoRules& rules, const BakePlan& plan, Workers& workers) {
+    const FacetDistribution& distribution = *rules.area().distribution();
+    Shading<double> shading = rules.shading();
+    std::vector<float> data = rules.area().data();
     place(shading, plan, static_cast<int>(data.size()));
     data.insert(data.end(), data_.begin(), data_.end());
     shading.data = data.data();
-    const std::vector<Probe> probes = choose_probes(area.grid(), plan.nodes, effort.probes);
+    const std::vector<Probe> probes = choose_probes(rules.area().grid(), plan.nodes, rules.most_probes());
     std::vector<double> errors(probes.size());
-    const AlbedoRule rule(distribution, shading, plan.fresnel_tables, effort.probe_tolerance);
     workers.for_each(static_cast<int>(probes.size()), [&](int i) {
         const dvec3 k = probes[static_cast<std::size_t>(i)].k;
         errors[static_cast<std::size_t>(i)] =
-            albedo_error(shading, k, rule(k, distribution.projected_area(k)), plan.fresnel_tables);
+            albedo_error(shading, k, rules.probes()(k, distribution.projected_area(k)), plan.fresnel_tables);
     });
     error_.all = summarise(errors);
     for (std::size_t i = 0; i < probes.size(); ++i) {

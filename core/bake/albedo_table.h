@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/bake/albedo.h"
 #include "core/bake/area_table.h"
 
 namespace nacre {
@@ -13,12 +14,37 @@ struct AlbedoEffort {
     int probes;              // so many of those, at the most
 };
 
+// How the tables over one table of g are filled and measured, whatever their size. `material` holds the
+// design but for the tables; `area` is kept as a reference.
+class AlbedoRules {
+  public:
+    AlbedoRules(const AreaTable& area, const Shading<double>& material, int channels,
+                const AlbedoEffort& effort)
+        : area_(area),
+          shading_(area.shading(material)),
+          nodes_(*area.distribution(), shading_, channels, effort.rule_tolerance),
+          probes_(nodes_.finer(effort.probe_tolerance)),
+          most_probes_(effort.probes) {}
+    AlbedoRules(const AlbedoRules&) = delete;
+    AlbedoRules& operator=(const AlbedoRules&) = delete;
+
+    const AreaTable& area() const { return area_; }
+    const Shading<double>& shading() const { return shading_; }
+    const AlbedoRule& nodes() const { return nodes_; }
+    const AlbedoRule& probes() const { return probes_; }
+    int most_probes() const { return most_probes_; }
+
+  private:
+    const AreaTable& area_;
+    Shading<double> shading_;
+    AlbedoRule nodes_, probes_;
+    int most_probes_;
+};
+
 class AlbedoTable {
   public:
-    // On the grid of `area`, which is also where g(k2) is read. `material` holds the design but for the
-    // tables.
-    AlbedoTable(const AreaTable& area, const Shading<double>& material, const BakePlan& plan,
-                const AlbedoEffort& effort, Workers& workers);
+    // On the grid of g's table, which is also where g(k2) is read.
+    AlbedoTable(const AlbedoRules& rules, const BakePlan& plan, Workers& workers);
 
     // Error of R, absolute, every Fresnel factor: of the interpolation and of the rule.
     const AxisError& error() const { return error_; }
@@ -30,8 +56,7 @@ class AlbedoTable {
     static void place(Shading<double>& shading, const BakePlan& plan, int offset);
 
   private:
-    void measure(const AreaTable& area, Shading<double> shading, const BakePlan& plan,
-                 const AlbedoEffort& effort, Workers& workers);
+    void measure(const AlbedoRules& rules, const BakePlan& plan, Workers& workers);
 
     std::vector<float> data_;
     AxisError error_;

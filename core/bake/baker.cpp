@@ -172,18 +172,19 @@ void Baker::make_albedo(Kept& made, const Shading<double>& material, Workers& wo
               : std::max(albedo_part * tolerance - made.area_error.all.root_mean_square, 0.3 * tolerance);
     const int limit =
         (floats_most - static_cast<int>(made.area->data().size())) / (1 + made.plan.fresnel_tables);
-    const Fitted<AlbedoTable> fitted = fit_table(
-        {made.plan.nodes.v, made.plan.nodes.rho}, made.plan.symmetry.symmetry, target, fixed ? 0 : limit,
-        [&](TableNodes nodes) {
-            BakePlan plan = made.plan;
-            plan.nodes.v = nodes.polar;
-            plan.nodes.rho = nodes.azimuth;
-            Fitted<AlbedoTable> result;
-            result.nodes = nodes;
-            result.table = std::make_shared<const AlbedoTable>(*made.area, material, plan, effort, workers);
-            result.error = result.table->error();
-            return result;
-        });
+    const AlbedoRules rules(*made.area, material, made.plan.fresnel_tables, effort);
+    const Fitted<AlbedoTable> fitted =
+        fit_table({made.plan.nodes.v, made.plan.nodes.rho}, made.plan.symmetry.symmetry, target,
+                  fixed ? 0 : limit, [&](TableNodes nodes) {
+                      BakePlan plan = made.plan;
+                      plan.nodes.v = nodes.polar;
+                      plan.nodes.rho = nodes.azimuth;
+                      Fitted<AlbedoTable> result;
+                      result.nodes = nodes;
+                      result.table = std::make_shared<const AlbedoTable>(rules, plan, workers);
+                      result.error = result.table->error();
+                      return result;
+                  });
     made.albedo = fitted.table;
     made.tried_albedo = fitted.tried;
     made.plan.nodes.v = fitted.nodes.polar;

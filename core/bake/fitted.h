@@ -45,10 +45,15 @@ auto fit_table(TableNodes first, Symmetry symmetry, double target, int limit, co
     for (int round = 0; round < rounds && best.error.all.worst > target; ++round) {
         TableNodes next = better(best, target);
         if (count(next) <= count(best.nodes)) next = better(best, 0.6 * target);
+        // Fewer nodes along theta, and the error along it alone would be no better than all of it now.
+        auto hopeless = [&](TableNodes nodes) {
+            const double ratio = static_cast<double>(best.nodes.polar - 1) / (nodes.polar - 1);
+            return ratio > 1 && ratio * ratio * best.error.polar > worth_it * best.error.all.worst;
+        };
         auto larger = best;
         // What stands between both kinds of nodes may hide which axis it owes to: then the azimuth is tried.
         for (const TableNodes nodes : {next, more_azimuths(best.nodes, symmetry, limit)}) {
-            if (count(nodes) <= count(best.nodes)) continue;
+            if (count(nodes) <= count(best.nodes) || hopeless(nodes)) continue;
             larger = made(nodes);
             if (larger.error.all.worst <= worth_it * best.error.all.worst) break;
         }

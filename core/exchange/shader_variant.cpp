@@ -31,7 +31,9 @@ ShaderVariant variant_of(const Shading<double>& shading) {
 
 std::string variant_definitions(const ShaderVariant& variant) {
     std::string text =
-        "#define real float\n#define real2 vec2\n#define real3 vec3\n"
+        "#define scalar float\n#define scalar2 vec2\n#define scalar3 vec3\n"
+        "#define real float\n#define real2 vec2\n#define real3 vec3\n#define integer int\n#define condition "
+        "bool\n"
         "#define CONSTANT const\n#define PURE\n#define READS\n#define LARGEST 3.402823466e+38\n";
     text += fmt::format("#define MAX_LAYERS {}\n", limits::layers_max);
     auto define = [&](std::string_view name, bool on) {
@@ -71,8 +73,9 @@ std::string variant_definitions(const ShaderVariant& variant) {
 std::string shared_parameters() { return text_of("shared/parameters.glsl"); }
 
 std::string shared_mathematics() {
-    return text_of("shared/fresnel.glsl") + "\n" + text_of("shared/lobes.glsl") + "\n" +
-           text_of("shared/tables.glsl") + "\n" + text_of("shared/brdf.glsl");
+    return text_of("choice.glsl") + "\n" + text_of("shared/fresnel.glsl") + "\n" +
+           text_of("shared/lobes.glsl") + "\n" + text_of("shared/tables.glsl") + "\n" +
+           text_of("shared/brdf.glsl");
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {

@@ -3,6 +3,8 @@
 // precisions.
 #pragma once
 
+#include <type_traits>
+
 #include "core/model/shading.h"
 
 namespace nacre {
@@ -52,6 +54,21 @@ void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
     visit("ks", surfaces.ks...);
     visit("albedo", surfaces.albedo...);
     visit("coupling", surfaces.coupling...);
+}
+
+// The surface and its layers from one struct of shading_members.inl to another, whatever their precision.
+// Both read the same data.
+template <class To, class From>
+void copy_surface(To& to, const From& from) {
+    to.kinds = from.kinds;
+    to.data = from.data;
+    const auto copy = [](const char*, auto& field, const auto& value) {
+        field = std::remove_reference_t<decltype(field)>(value);
+    };
+    visit_surface_fields(copy, to.surface, from.surface);
+    visit_table_fields(copy, to.surface.tables, from.surface.tables);
+    to.layer_count = from.layer_count;
+    for (int i = 0; i < from.layer_count; ++i) visit_layer_fields(copy, to.layers[i], from.layers[i]);
 }
 
 template <class Visit>

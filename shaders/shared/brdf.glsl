@@ -10,8 +10,7 @@ struct Direction {
 
 // a/b of a, b >= 0, and the largest number where that is greater or b is 0; 0/b is 0 for every b.
 PURE real bounded_quotient(real a, real b) {
-    if (a < b * LARGEST) return a / b;
-    return a > real(0.0) ? LARGEST : real(0.0);
+    return select(a < b * LARGEST, a / b, select(a > real(0.0), real(LARGEST), real(0.0)));
 }
 
 // F(cosine) of the design                                                   (eq. 31, or exact Fresnel)
@@ -45,18 +44,17 @@ real visibility(Direction a, Direction b) READS {
         g1 = max(g1, nc1);
         g2 = max(g2, nc2);
     }
-    if (g1 <= real(0.0) || g2 <= real(0.0)) return real(0.0);
-    real v = bounded_quotient(surface.N, g1 * g2);
+    real v = bounded_quotient(real(surface.N), g1 * g2);
 #if VISIBILITY_CORRELATED
     // (1-t) P1 P2 + t min(P1, P2); min(P1,P2)/(N c1 c2) = 1/max(G1 c2, G2 c1)        (eq. 14)
     if (VISIBILITY_IS_CORRELATED) {
         real cross_product = a.k.x * b.k.y - a.k.y * b.k.x;
         real dot_product = a.k.x * b.k.x + a.k.y * b.k.y;
         // At n itself, where P = 1 and t counts for nothing, no azimuth is left.
-        bool upright = cross_product == real(0.0) && dot_product == real(0.0);
-        real angle = upright ? real(0.0) : atan(abs(cross_product), dot_product) / surface.correlation;
+        condition upright = cross_product == real(0.0) && dot_product == real(0.0);
+        real angle = atan(abs(cross_product), select(upright, real(1.0), dot_product)) / surface.correlation;
         real t = exp(real(-0.5) * angle * angle);
-        v = min((real(1.0) - t) * v + bounded_quotient(t, max(g1 * b.k.z, g2 * a.k.z)), LARGEST);
+        v = min((real(1.0) - t) * v + bounded_quotient(t, max(g1 * b.k.z, g2 * a.k.z)), real(LARGEST));
     }
 #endif
 #if VISIBILITY_SMITH
@@ -68,7 +66,7 @@ real visibility(Direction a, Direction b) READS {
         v = bounded_quotient(v, (p1 + p2) - p1 * p2);
     }
 #endif
-    return v;
+    return select(g1 > real(0.0) && g2 > real(0.0), v, real(0.0));
 }
 
 // rho = p(h) F(k.h) P12 / (4 N c1 c2), 1/sr                                  (eq. 11, 26)
@@ -76,13 +74,13 @@ real3 specular(Direction a, Direction b) READS {
     // Measured by its largest part first: two opposite grazing directions leave a sum whose square is no number.
     real3 sum = a.k + b.k;
     real reach = max(max(abs(sum.x), abs(sum.y)), abs(sum.z));
-    if (reach <= real(0.0)) return real3(0.0);
-    sum = sum / reach;
+    sum = select(reach > real(0.0), sum / reach, real3(0.0, 0.0, 1.0));
     real size = length(sum);
     real p = density(sum / size);
-    if (p <= real(0.0)) return real3(0.0);
+    if (none(p > real(0.0))) return real3(0.0);
     real cosine = min(real(0.5) * (size * reach), real(1.0));
-    return fresnel(cosine) * min(real(0.25) * p * visibility(a, b), LARGEST);
+    real facets = select(reach > real(0.0), real(0.25) * p * visibility(a, b), real(0.0));
+    return fresnel(cosine) * min(facets, real(LARGEST));
 }
 
 // The part of a diffuse term that one direction brings: 1 - R, or f0 - R for the paper's metal, never < 0.
@@ -120,7 +118,7 @@ real specular_weight() READS {
 // g/G: 1 where the clamp does not cut in.
 real clamped_part(real3 k, real g) READS {
     real nc = surface.N * k.z;
-    return CLAMP_VISIBILITY && g < nc ? g / nc : real(1.0);
+    return select(CLAMP_VISIBILITY && g < nc, g / nc, real(1.0));
 }
 
 // R(k) of the design's own Fresnel factor, from the tables.
@@ -130,7 +128,7 @@ real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
 #if FRESNEL_SCHLICK
     if (FRESNEL_IS_SCHLICK) {
         real zero = fresnel_albedo(spot, full, schlick_weight(k.z), 0);
-        r = surface.f0 * full + (real3(1.0) - surface.f0) * zero;
+        r = real3(surface.f0) * full + (real3(1.0) - surface.f0) * zero;
     }
 #endif
 #if FRESNEL_DIELECTRIC || FRESNEL_CONDUCTOR
@@ -178,6 +176,9 @@ real3 brdf_of(Direction a, Direction b) READS {
 
 // The BRDF of unit vectors in the local frame, 1/sr; 0 where either is not above the horizon.
 real3 brdf(real3 k1, real3 k2) READS {
-    if (k1.z <= real(0.0) || k2.z <= real(0.0)) return real3(0.0);
-    return brdf_of(direction(k1), direction(k2));
+    condition above = k1.z > real(0.0) && k2.z > real(0.0);
+    if (none(above)) return real3(0.0);
+    real3 n = real3(0.0, 0.0, 1.0);
+    real3 rho = brdf_of(direction(select(above, k1, n)), direction(select(above, k2, n)));
+    return select(above, rho, real3(0.0));
 }

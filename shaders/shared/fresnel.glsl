@@ -19,12 +19,11 @@ PURE real3 schlick_fresnel(real3 f0, real cosine) {
 // Exact Fresnel equations for a dielectric of relative index ior >= 1    (Born & Wolf, sec. 1.5.2)
 // An index of 1 is no surface and reflects nothing, at grazing too.
 PURE real dielectric_fresnel(real ior, real cosine) {
-    if (ior <= real(1.0)) return real(0.0);
     real refracted = sqrt(max(ior * ior - real(1.0) + cosine * cosine, real(0.0)));
     real s = (cosine - refracted) / (cosine + refracted);
     real n2 = ior * ior;
     real p = (n2 * cosine - refracted) / (n2 * cosine + refracted);
-    return real(0.5) * (s * s + p * p);
+    return select(ior > real(1.0), real(0.5) * (s * s + p * p), real(0.0));
 }
 #endif
 
@@ -39,7 +38,6 @@ PURE real dielectric_fresnel(real ior, real cosine) {
 PURE real conductor_fresnel(real eta, real kappa, real cosine) {
     real index = (eta - real(1.0)) * (eta + real(1.0)) - kappa * kappa;
     real loss = real(2.0) * eta * kappa;
-    if (index == real(0.0) && loss * loss == real(0.0)) return real(0.0);
     real c2 = cosine * cosine;
     real s2 = real(1.0) - c2;
     real difference = index + c2;
@@ -52,6 +50,6 @@ PURE real conductor_fresnel(real eta, real kappa, real cosine) {
     below = a * cosine - s2;
     above = a * cosine + s2;
     real rp = (below * below + b2 * c2) / (above * above + b2 * c2);
-    return real(0.5) * rs * (real(1.0) + rp);
+    return select(index == real(0.0) && loss * loss == real(0.0), real(0.0), real(0.5) * rs * (real(1.0) + rp));
 }
 #endif

@@ -1,48 +1,43 @@
 // Normal distributions p(h), each in its lobe's own frame (z = the lobe's axis) and not normalised.
-// h has length 1. The curve and the pictures read the surface's data through fetch().
+// h has length 1. No branch depends on h, so that many directions go side by side. The curve and the pictures read the surface's data through fetch().
 
 #if HAS_GAUSSIAN
 // exp(-tan^2(theta) (cos^2(phi)/sx^2 + sin^2(phi)/sy^2)), upper hemisphere     (Ashikhmin 2000, eq. 34)
-PURE real gaussian_density(real3 h, real2 inverse_width) {
-    if (h.z <= real(0.0)) return real(0.0);
+PURE real gaussian_density(real3 h, scalar2 inverse_width) {
     real x = h.x * inverse_width.x / h.z;
     real y = h.y * inverse_width.y / h.z;
-    return exp(-(x * x + y * y));
+    return select(h.z > real(0.0), exp(-(x * x + y * y)), real(0.0));
 }
 #endif
 
 #if HAS_INVERSE_GAUSSIAN
 // exp(-cot^2(theta)/s^2), upper hemisphere                                     (Ashikhmin 2000, eq. 35)
-PURE real inverse_gaussian_density(real3 h, real inverse_width) {
+PURE real inverse_gaussian_density(real3 h, scalar inverse_width) {
     real sine2 = h.x * h.x + h.y * h.y;
-    if (h.z <= real(0.0) || sine2 <= real(0.0)) return real(0.0);
     real x = h.z * inverse_width;
-    return exp(-(x * x / sine2));
+    return select(h.z > real(0.0) && sine2 > real(0.0), exp(-(x * x / sine2)), real(0.0));
 }
 #endif
 
 #if HAS_GGX
 // pi ax ay times GGX: 1/(hx^2/ax^2 + hy^2/ay^2 + hz^2)^2, upper hemisphere     (Walter 2007, eq. 33; Heitz 2014, eq. 85)
-PURE real ggx_density(real3 h, real2 inverse_width) {
-    if (h.z <= real(0.0)) return real(0.0);
+PURE real ggx_density(real3 h, scalar2 inverse_width) {
     real x = h.x * inverse_width.x;
     real y = h.y * inverse_width.y;
     real q = x * x + y * y + h.z * h.z;
-    return real(1.0) / (q * q);
+    return select(h.z > real(0.0), real(1.0) / (q * q), real(0.0));
 }
 #endif
 
 #if HAS_BECKMANN
 // pi ax ay times Beckmann: eq. 34 over cos^4(theta)                            (Walter 2007, eq. 25)
 // Past exp(-100) the exponential is 0 in float and 1/cos^4 may overflow.
-PURE real beckmann_density(real3 h, real2 inverse_width) {
-    if (h.z <= real(0.0)) return real(0.0);
+PURE real beckmann_density(real3 h, scalar2 inverse_width) {
     real x = h.x * inverse_width.x / h.z;
     real y = h.y * inverse_width.y / h.z;
     real e = x * x + y * y;
-    if (e > real(100.0)) return real(0.0);
     real c2 = h.z * h.z;
-    return exp(-e) / (c2 * c2);
+    return select(h.z > real(0.0) && e <= real(100.0), exp(-e) / (c2 * c2), real(0.0));
 }
 #endif
 
@@ -50,21 +45,19 @@ PURE real beckmann_density(real3 h, real2 inverse_width) {
 // Straight lines between `size` points (theta in radians, value), 0 outside them.
 real curve_density(real3 h, int offset, int size) READS {
     real theta = atan(sqrt(h.x * h.x + h.y * h.y), h.z);
-    int low = 0;
-    int high = size - 1;
-    if (theta < fetch(offset) || theta > fetch(offset + 2 * high)) return real(0.0);
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        if (theta < fetch(offset + 2 * middle)) {
-            high = middle;
-        } else {
-            low = middle;
-        }
+    int step = 1;
+    while (2 * step < size) step *= 2;
+    integer low = integer(0);
+    for (; step > 0; step /= 2) {
+        integer next = min(low + step, size - 2);
+        low = select(theta < fetch(offset + 2 * next), low, next);
     }
-    real a = fetch(offset + 2 * low);
-    real b = fetch(offset + 2 * high);
+    integer at = offset + 2 * low;
+    real a = fetch(at);
+    real b = fetch(at + 2);
     real t = (theta - a) / (b - a);
-    return fetch(offset + 2 * low + 1) * (real(1.0) - t) + fetch(offset + 2 * high + 1) * t;
+    real value = fetch(at + 1) * (real(1.0) - t) + fetch(at + 3) * t;
+    return select(theta >= a && theta <= b, value, real(0.0));
 }
 #endif
 
@@ -72,20 +65,19 @@ real curve_density(real3 h, int offset, int size) READS {
 // A picture of the upper hemisphere seen from above, the equal-area disk x = hx/sqrt(1+hz) that touches
 // the four sides, +x right, +y up, top row first; bilinear between texel centres, 0 below the hemisphere.
 real picture_value(real3 h, int offset, int size) READS {
-    if (h.z <= real(0.0)) return real(0.0);
-    real radius = sqrt(real(1.0) / (real(1.0) + h.z));
+    real radius = sqrt(real(1.0) / (real(1.0) + max(h.z, real(0.0))));
     real n = real(size);
     real column = clamp(real(0.5) * (real(1.0) + h.x * radius) * n - real(0.5), real(0.0), n - real(1.0));
     real row = clamp(real(0.5) * (real(1.0) - h.y * radius) * n - real(0.5), real(0.0), n - real(1.0));
-    int i0 = int(column);
-    int j0 = int(row);
-    int i1 = min(i0 + 1, size - 1);
-    int j1 = min(j0 + 1, size - 1);
+    integer i0 = integer(column);
+    integer j0 = integer(row);
+    integer i1 = min(i0 + 1, size - 1);
+    integer j1 = min(j0 + 1, size - 1);
     real s = column - real(i0);
     real t = row - real(j0);
     real top = fetch(offset + j0 * size + i0) * (real(1.0) - s) + fetch(offset + j0 * size + i1) * s;
     real bottom = fetch(offset + j1 * size + i0) * (real(1.0) - s) + fetch(offset + j1 * size + i1) * s;
-    return top * (real(1.0) - t) + bottom * t;
+    return select(h.z > real(0.0), top * (real(1.0) - t) + bottom * t, real(0.0));
 }
 #endif
 
@@ -105,7 +97,8 @@ real lobe_density(Layer layer, real3 h) READS {
     if (layer.kind == LOBE_BECKMANN) p = beckmann_density(h, layer.inverse_width);
 #endif
 #if HAS_UNIFORM
-    if (layer.kind == LOBE_SPHERE || (layer.kind == LOBE_HEMISPHERE && h.z > real(0.0))) p = real(1.0);
+    if (layer.kind == LOBE_SPHERE) p = real(1.0);
+    if (layer.kind == LOBE_HEMISPHERE) p = select(h.z > real(0.0), real(1.0), real(0.0));
 #endif
 #if HAS_CURVE
     if (layer.kind == LOBE_CURVE) p = curve_density(h, layer.data_offset, layer.data_size);
@@ -114,7 +107,7 @@ real lobe_density(Layer layer, real3 h) READS {
     if (layer.kind == LOBE_PAINTED) p = picture_value(h, layer.data_offset, layer.data_size);
 #endif
 #if HAS_MODULATION
-    if (layer.picture_size > 0 && p > real(0.0)) {
+    if (layer.picture_size > 0 && !none(p > real(0.0))) {
         real picture = picture_value(h, layer.picture_offset, layer.picture_size);
         p *= real(1.0) - layer.picture_strength + layer.picture_strength * picture;
     }

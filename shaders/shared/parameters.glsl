@@ -1,5 +1,6 @@
-// What a surface is made of, as the shader and core read it. Compiled as GLSL 3.30 and, inside a struct
-// of core/model/shading.h, as C++ in float and in double.
+// What a surface is made of, as the shader and core read it. Compiled as GLSL 3.30 and, inside the structs of
+// core/model/shading.h and core/model/lane_shading-inl.h, as C++ for one direction and for many at once: a `scalar`
+// and an int are the same for all directions, a `real`, an `integer` and a `condition` may differ.
 
 CONSTANT int LOBE_GAUSSIAN = 0;
 CONSTANT int LOBE_INVERSE_GAUSSIAN = 1;
@@ -18,25 +19,25 @@ CONSTANT int SYMMETRY_NONE = 3;
 // One layer of p. Offsets count floats in the surface's data.
 struct Layer {
     int kind;          // LOBE_*
-    real scale;        // density = scale * lobe (share of area over the lobe's own integral)
-    real3 axis_x;      // the lobe's frame, in the local frame of the surface
-    real3 axis_y;
-    real3 axis_z;
-    real2 inverse_width;   // 1/sigma or 1/alpha along x and y; 0 for an infinite width
+    scalar scale;        // density = scale * lobe (share of area over the lobe's own integral)
+    scalar3 axis_x;      // the lobe's frame, in the local frame of the surface
+    scalar3 axis_y;
+    scalar3 axis_z;
+    scalar2 inverse_width;   // 1/sigma or 1/alpha along x and y; 0 for an infinite width
     int data_offset;   // curve: (theta, value) pairs; painted: texels, top row first
     int data_size;     // curve: points; painted: texels a side
     int picture_offset;    // modulation: texels, top row first
     int picture_size;      // texels a side; 0 without modulation
-    real picture_strength;
+    scalar picture_strength;
 };
 
 // The baked tables' shape; see tables.glsl.
 struct TableShape {
-    real g_normal;  // g(n)
-    real2 moment;   // along the tangent and bitangent: of what is linear in k and left out of the table of g
-    real2 axis;     // cos and sin of the azimuth that the tables are aligned with
-    real2 stretch;  // widths of p along that axis and across it
-    real lean;      // -1 to 1: how far rows gather opposite to that axis
+    scalar g_normal;  // g(n)
+    scalar2 moment;   // along the tangent and bitangent: of what is linear in k and left out of the table of g
+    scalar2 axis;     // cos and sin of the azimuth that the tables are aligned with
+    scalar2 stretch;  // widths of p along that axis and across it
+    scalar lean;      // -1 to 1: how far rows gather opposite to that axis
     int symmetry;   // SYMMETRY_*
     int nodes_w;      // along theta, for g
     int nodes_v;      // along theta, for R
@@ -49,13 +50,13 @@ struct TableShape {
 
 struct Surface {
     TableShape tables;
-    real N;             // <n.h> times the design's mean_cosine_scale
-    real correlation;   // standard deviation of t(phi), radians (eq. 14)
-    real3 f0;           // Schlick: reflectance at normal incidence
-    real3 eta;          // dielectric: x = index of refraction; conductor: real part
-    real3 kappa;        // conductor: imaginary part
-    real kd;            // eq. 27
-    real ks;
-    real3 albedo;       // rho_d
-    real3 coupling;     // the constant c of eq. 28, for each colour
+    scalar N;             // <n.h> times the design's mean_cosine_scale
+    scalar correlation;   // standard deviation of t(phi), radians (eq. 14)
+    scalar3 f0;           // Schlick: reflectance at normal incidence
+    scalar3 eta;          // dielectric: x = index of refraction; conductor: scalar part
+    scalar3 kappa;        // conductor: imaginary part
+    scalar kd;            // eq. 27
+    scalar ks;
+    scalar3 albedo;       // rho_d
+    scalar3 coupling;     // the constant c of eq. 28, for each colour
 };

@@ -12,6 +12,7 @@
 // the integral of h p over the facets above the horizon, whichever errs less: where facets turn away at once, as
 // those of a tilted needle, g is linear before; where they do so little by little, m.k and the rest would cancel,
 // and rows that gather there serve better (table_turns).
+//
 // R also turns at the scale of the hemisphere itself (Fresnel, a lobe that is narrow one way and wide the
 // other), so its tables share their nodes between both scales:
 //
@@ -22,12 +23,12 @@
 //
 // Tables are bilinear; nodes stand on both ends in w and v, and in psi and rho on both ends of a folded range.
 
-CONSTANT real TABLE_PI = real(3.14159265358979323846);
+CONSTANT scalar TABLE_PI = scalar(3.14159265358979323846);
 
 // Two neighbouring rows of a table and a place between them.
 struct TableRows {
-    int first;
-    int second;
+    integer first;
+    integer second;
     real fraction;
 };
 
@@ -53,10 +54,10 @@ struct AlbedoSpot {
 // because rows then lie evenly to 6 %.
 PURE real quarter_turns(real x, real y) {
     real sum = abs(x) + abs(y);
-    real t = sum > real(0.0) ? (abs(y) - abs(x)) / sum : real(-1.0);
+    real t = select(sum > real(0.0), (abs(y) - abs(x)) / sum, real(-1.0));
     real turns = real(0.5) + t * (real(0.6) - real(0.1) * t * t);
-    if (x < real(0.0)) turns = real(2.0) - turns;
-    return y < real(0.0) ? real(4.0) - turns : turns;
+    turns = select(x < real(0.0), real(2.0) - turns, turns);
+    return select(y < real(0.0), real(4.0) - turns, turns);
 }
 
 // `turns` is an azimuth in the folded range: [0, 1], [0, 2] or [0, 4] for the whole circle.
@@ -67,9 +68,11 @@ TableRows table_rows(real turns, int nodes) READS {
     if (symmetry == SYMMETRY_HALF) place = real(0.5) * turns * real(nodes - 1);
     if (symmetry == SYMMETRY_NONE) place = real(0.25) * turns * real(nodes);
     TableRows rows;
-    rows.first = min(int(place), nodes - 1);
+    rows.first = min(integer(place), nodes - 1);
     rows.second = rows.first + 1;
-    if (rows.second == nodes) rows.second = symmetry == SYMMETRY_NONE ? 0 : rows.first;
+    integer past = rows.first;
+    if (symmetry == SYMMETRY_NONE) past = integer(0);
+    rows.second = select(rows.second == nodes, past, rows.second);
     rows.fraction = place - real(rows.first);
     return rows;
 }
@@ -77,12 +80,12 @@ TableRows table_rows(real turns, int nodes) READS {
 // psi of (x, y) from the tables' axis. A p that leans turns away within a narrow range of azimuths: rows gather
 // there, as stars do ahead of one who flies (aberration), before p's width is made one.
 real table_turns(real x, real y) READS {
-    real lean = surface.tables.lean;
+    scalar lean = surface.tables.lean;
     real along = x;
     real across = y;
-    if (lean != real(0.0)) {
+    if (lean != scalar(0.0)) {
         along = x + lean * sqrt(x * x + y * y);
-        across = y * sqrt(real(1.0) - lean * lean);
+        across = y * sqrt(scalar(1.0) - lean * lean);
     }
     return quarter_turns(surface.tables.stretch.x * along, surface.tables.stretch.y * across);
 }
@@ -97,11 +100,12 @@ TableSpot table_spot(real3 k) READS {
     real across = surface.tables.stretch.y * y;
     TableSpot spot;
     spot.azimuth = real2(x, y);
-    spot.turns = symmetry == SYMMETRY_ISOTROPIC ? real(0.0) : table_turns(x, y);
+    spot.turns = real(0.0);
+    if (symmetry != SYMMETRY_ISOTROPIC) spot.turns = table_turns(x, y);
     spot.psi = table_rows(spot.turns, surface.tables.nodes_psi);
     spot.q = sqrt(along * along + across * across);
     spot.scale = k.z * surface.tables.g_normal + real(2.0) * spot.q;
-    spot.w = spot.scale > real(0.0) ? min(real(2.0) * spot.q / spot.scale, real(1.0)) : real(0.0);
+    spot.w = select(spot.scale > real(0.0), min(real(2.0) * spot.q / spot.scale, real(1.0)), real(0.0));
     return spot;
 }
 
@@ -122,10 +126,10 @@ AlbedoSpot albedo_spot(real3 k, TableSpot spot) READS {
 // A table whose rows hold `nodes` values, at `at` in [0, 1] along them.
 real table_value(TableRows rows, int offset, int nodes, real at) READS {
     real place = at * real(nodes - 1);
-    int column = min(int(place), nodes - 2);
+    integer column = min(integer(place), nodes - 2);
     real s = place - real(column);
-    int a = offset + rows.first * nodes + column;
-    int b = offset + rows.second * nodes + column;
+    integer a = offset + rows.first * nodes + column;
+    integer b = offset + rows.second * nodes + column;
     real first = fetch(a) * (real(1.0) - s) + fetch(a + 1) * s;
     real second = fetch(b) * (real(1.0) - s) + fetch(b + 1) * s;
     return first * (real(1.0) - rows.fraction) + second * rows.fraction;

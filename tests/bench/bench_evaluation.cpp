@@ -1,7 +1,9 @@
 // The BRDF of one pair of directions, in float: Nacre's shared mathematics with its tables, against closed
 // forms. "call": one call a pair, as a renderer makes it. "loop": everything inlined into a loop over arrays.
+// "batch": ours evaluates all pairs at once, theirs is the loop, which the compiler may make vectors of.
 #include <fmt/format.h>
 
+#include "core/bake/brdf_pairs.h"
 #include "core/model/float_shading.h"
 #include "tests/bench/bench_designs.h"
 #include "tests/bench/closed_form_brdf.h"
@@ -64,12 +66,27 @@ template <class Brdf>
     benchmark::DoNotOptimize(value);
 }
 
+enum class Manner { call, loop, batch };
+
+const char* name_of(Manner manner) {
+    return manner == Manner::call ? "call" : manner == Manner::loop ? "loop" : "batch";
+}
+
+template <class Brdf>
+void run(Manner manner, const Brdf& brdf, const Pairs& pairs, std::vector<vec3>& values) {
+    manner == Manner::call ? call_each(brdf, pairs, values) : loop(brdf, pairs, values);
+}
+
+void run(Manner manner, const Nacre& ours, const Pairs& pairs, std::vector<vec3>& values) {
+    if (manner != Manner::batch) return run<Nacre>(manner, ours, pairs, values);
+    evaluate_pairs(ours.shading, pairs.k1, pairs.k2, values);
+}
+
 template <class Brdf>
 void add(Report& report, const std::string& name, const Design& design, const std::string& other,
          const Brdf& theirs, double wanted) {
-    for (const bool inlined : {false, true}) {
-        const std::string what =
-            fmt::format("BRDF, {}: {} against {}", inlined ? "loop" : "call", name, other);
+    for (const Manner manner : {Manner::call, Manner::loop, Manner::batch}) {
+        const std::string what = fmt::format("BRDF, {}: {} against {}", name_of(manner), name, other);
         add_benchmark(what, repetitions, [=, &report](benchmark::State& state) {
             Design schlick = design;
             schlick.fresnel = SchlickFresnel{f0};
@@ -77,11 +94,9 @@ void add(Report& report, const std::string& name, const Design& design, const st
             const Nacre ours{in_float(tables->shading)};
             const Pairs pairs = random_pairs(*tables->distribution);
             std::vector<vec3> values(count);
-            const auto run = [&](const auto& brdf) {
-                inlined ? loop(brdf, pairs, values) : call_each(brdf, pairs, values);
-            };
             const Pair pair = interleave(
-                state, count, [&] { run(ours); }, [&] { run(theirs); });
+                state, count, [&] { run(manner, ours, pairs, values); },
+                [&] { run(manner, theirs, pairs, values); });
             report.add(at_most_times(what, pair, wanted));
         });
     }

@@ -6,9 +6,9 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
-#include "core/design/error.h"
 #include "core/measure/reference.h"
 #include "tests/core/designs.h"
+#include "tests/core/property.h"
 #include "tests/core/random_design.h"
 #include "tests/core/random_directions.h"
 
@@ -16,29 +16,6 @@ using namespace nacre;
 using namespace nacre::test;
 
 namespace {
-
-// A random design whose facets face up; small pictures, so that a property runs often.
-Design physical_design() {
-    for (;;) {
-        Design design = random_design({});
-        try {
-            FacetDistribution check(design.distribution);
-            return design;
-        } catch (const UserError&) {
-        }
-    }
-}
-
-bool holds(const char* what, const std::function<void()>& property, int runs) {
-    rc::detail::TestParams params;
-    params.maxSuccess = runs;
-    params.seed = 20000723;
-    rc::detail::TestMetadata metadata;
-    metadata.id = what;
-    const auto result = rc::detail::checkTestable(property, metadata, params);
-    rc::detail::printResultMessage(result, std::cerr);
-    return result.is<rc::detail::SuccessResult>();
-}
 
 bool same_bits(dvec3 a, dvec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 

@@ -1,0 +1,64 @@
+#include "core/bake/brdf_pairs.h"
+
+#include <algorithm>
+#include <cassert>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/bake/brdf_pairs.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for each kind of processor
+
+#include "core/model/lane_shading-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nacre {
+namespace HWY_NAMESPACE {
+namespace {
+
+using Floats = hn::ScalableTag<float>;
+using Lanes = LaneShading<Floats>;
+using Real = Lanes::real;
+using Vector = hn::Vec<Floats>;
+
+Lanes::real3 load(const glm::vec3* from) {
+    Vector x, y, z;
+    hn::LoadInterleaved3(Floats(), &from->x, x, y, z);
+    return {Real(x), Real(y), Real(z)};
+}
+
+void store(const Lanes::real3& value, glm::vec3* to) {
+    hn::StoreInterleaved3(value.x.v, value.y.v, value.z.v, Floats(), &to->x);
+}
+
+HWY_FLATTEN void evaluate(const Shading<float>& material, const glm::vec3* k1, const glm::vec3* k2,
+                          glm::vec3* rho, std::size_t count) {
+    constexpr std::size_t width = hn::MaxLanes(Floats());
+    Lanes shading;
+    copy_surface(shading, material);
+    std::size_t i = 0;
+    for (; i + width <= count; i += width) store(shading.brdf(load(k1 + i), load(k2 + i)), rho + i);
+    if (i == count) return;
+    glm::vec3 a[width]{}, b[width]{}, value[width];
+    std::copy(k1 + i, k1 + count, a);
+    std::copy(k2 + i, k2 + count, b);
+    store(shading.brdf(load(a), load(b)), value);
+    std::copy(value, value + (count - i), rho + i);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace nacre
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nacre {
+
+HWY_EXPORT(evaluate);
+
+void evaluate_pairs(const Shading<float>& shading, std::span<const glm::vec3> k1,
+                    std::span<const glm::vec3> k2, std::span<glm::vec3> rho) {
+    assert(k1.size() == rho.size() && k2.size() == rho.size());
+    HWY_DYNAMIC_DISPATCH(evaluate)(shading, k1.data(), k2.data(), rho.data(), rho.size());
+}
+
+}  // namespace nacre
+#endif
