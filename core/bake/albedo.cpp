@@ -57,16 +57,16 @@ Order order(std::size_t level) {
 constexpr std::size_t orders = 6;
 
 // The rule's points over one hemisphere of a smooth lobe, as facets.
-void walk_span(const LobeWalk& walk, std::size_t level, FacetColumns& facets) {
+void walk_span(const LobeWalk& walk, std::size_t level, WeightedDirections& facets) {
     const Order rule = order(level);
     for (int i = 0; i < 2 * static_cast<int>(rule.psi.size()); ++i) {
         const QuadraturePoint& a = rule.psi[static_cast<std::size_t>(i / 2)];
         const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (i % 2 + a.x));
         for_each_part(ray, walk.breaks(), [&](double begin, double end) {
             for (const QuadraturePoint& b : rule.chi) {
-                Facet facet = walk.facet(ray, begin + (end - begin) * b.x);
-                facet.mass *= pi * a.weight * (end - begin) * b.weight;
-                if (facet.mass > 0) facets.add(facet);
+                const Facet facet = walk.facet(ray, begin + (end - begin) * b.x);
+                const double weight = pi * a.weight * (end - begin) * b.weight;
+                if (facet.mass > 0) facets.add(facet.h, weight * facet.mass);
             }
         });
     }
@@ -83,7 +83,7 @@ dvec3 trial_direction(int i) {
 
 // In columns that run to and fro, so that facets which are summed side by side read the tables at places near
 // each other.
-FacetColumns columns_of(const std::vector<Facet>& facets) {
+WeightedDirections columns_of(const std::vector<Facet>& facets) {
     constexpr int bands = 24;
     std::vector<std::pair<double, const Facet*>> places;
     for (const Facet& facet : facets) {
@@ -91,8 +91,8 @@ FacetColumns columns_of(const std::vector<Facet>& facets) {
         places.emplace_back(4 * band + (band % 2 == 0 ? facet.h.x : -facet.h.x), &facet);
     }
     std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    FacetColumns columns;
-    for (const auto& [place, facet] : places) columns.add(*facet);
+    WeightedDirections columns;
+    for (const auto& [place, facet] : places) columns.add(facet->h, facet->mass);
     return columns;
 }
 
@@ -209,7 +209,7 @@ AlbedoValues AlbedoRule::operator()(dvec3 k1, double g1) const {
 AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
     const PlacedLobe& placed = distribution_.lobes()[lobe];
     if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
-    FacetColumns facets;
+    WeightedDirections facets;
     for (const LobeSpan& span : placed.lobe->spans()) walk_span(LobeWalk(placed, span, k1), level, facets);
     return sum_albedo(shading_, k1, g1, channels_, facets);
 }

@@ -1,7 +1,7 @@
 // R(k) = integral of rho(k, k') c' dk' by quadrature in the lobes' own coordinates (Ashikhmin 2000, eq. 29).
 #pragma once
 
-#include "core/bake/facet_sum.h"
+#include "core/bake/direction_sums.h"
 #include "core/model/facet_distribution.h"
 
 namespace nacre {
@@ -71,7 +71,7 @@ class AlbedoRule {
 
   private:
     // Of lobes of facets, level by level: each lobe's, none where it is smooth.
-    using FacetLevel = std::vector<FacetColumns>;
+    using FacetLevel = std::vector<WeightedDirections>;
 
     void refine(double tolerance);
     std::size_t choose_level(std::size_t lobe, double tolerance);

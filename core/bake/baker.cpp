@@ -245,7 +245,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     std::optional<Kept>& slot = options.quality == Quality::draft ? draft_ : final_;
     choose_tables(made, slot, now, tables->shading, workers);
     report(0.9);
-    assemble(made, *tables);
+    assemble(made, *tables, workers);
     before_ = made.design.distribution;
     distribution_ = made.area->distribution();
     slot = std::move(made);
@@ -254,7 +254,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     return tables;
 }
 
-void Baker::assemble(const Kept& made, Tables& tables) {
+void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     Shading<double>& shading = tables.shading;
     shading = made.area->shading(shading);
     tables.plan = made.plan;
@@ -268,7 +268,7 @@ void Baker::assemble(const Kept& made, Tables& tables) {
         AlbedoTable::place(shading, made.plan, static_cast<int>(tables.data.size()));
         tables.data.insert(tables.data.end(), made.albedo->data().begin(), made.albedo->data().end());
         shading.data = tables.data.data();
-        const AlbedoIntegrals integrals = integrate_albedo(shading);
+        const AlbedoIntegrals integrals = integrate_albedo(shading, workers);
         tables.mean_albedo = integrals.mean;
         shading.surface.coupling = integrals.coupling;
         // An error of g is one of P in R = E[F P], so that it adds its mean at the most.

@@ -55,7 +55,7 @@ class Baker {
                        const Shading<double>& material, Workers& workers);
     void make_albedo(Kept& made, const Shading<double>& material, Workers& workers);
 
-    static void assemble(const Kept& made, Tables& tables);
+    static void assemble(const Kept& made, Tables& tables, Workers& workers);
 
     Distribution before_;  // what distribution_ was made from
     std::shared_ptr<const FacetDistribution> distribution_;

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/bake/direction_sums.h"
 #include "core/bake/stretched_grid.h"
-#include "core/model/quadrature.h"
 
 namespace nacre {
 namespace {
@@ -17,35 +17,23 @@ using Integrals = Values<4>;  // R with F = 1, then (whole - R)+ of three colour
 // Below this part of pi nothing is left for the diffuse term; 1/integral would only blow up rounding.
 constexpr double nothing_left = 1e-9;
 
-Integrals integrand(const Shading<double>& shading, dvec3 k) {
-    const auto spot = shading.table_spot(k);
-    const double g = shading.projected_area(k, spot);
-    const auto albedo = shading.albedo_spot(k, spot);
-    const dvec3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
-    return {shading.full_albedo(albedo) * shading.clamped_part(k, g), share.x, share.y, share.z};
-}
-
-// Over theta at one azimuth, cell by cell of the table, cos sin dtheta.
+// Over theta at one azimuth, cell by cell of the table, cos sin dtheta. In v the interpolant is a straight
+// line on each cell; with y = cot(theta), 2 v = a/(y + a) + 1/(y + 1) and cos sin dtheta = -y/(1 + y^2)^2 dy.
 Integrals integrate_meridian(const Shading<double>& shading, double phi) {
     const auto& shape = shading.surface.tables;
     const double c = std::cos(phi), s = std::sin(phi);
-    const double width = shading.table_spot({c, s, 0}).q;
-    Integrals sum{};
-    double begin = 0;
-    for (int i = 1; i < shape.nodes_v; ++i) {
-        const double v = static_cast<double>(i) / (shape.nodes_v - 1);
-        const double end =
-            i + 1 == shape.nodes_v ? pi / 2 : std::atan2(1.0, cotangent_at_v(v, 2 * width / shape.g_normal));
+    const double a = 2 * shading.table_spot({c, s, 0}).q / shape.g_normal;
+    const int cells = shape.nodes_v - 1;
+    WeightedDirections directions;
+    for (int i = 0; i < cells; ++i)
         for (const QuadraturePoint& node : gauss_legendre<7>()) {
-            const double theta = begin + (end - begin) * node.x;
-            const double sine = std::sin(theta), cosine = std::cos(theta);
-            const Integrals values = integrand(shading, {sine * c, sine * s, cosine});
-            const double weight = (end - begin) * node.weight * sine * cosine;
-            for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += weight * values[j];
+            const double y = cotangent_at_v((i + node.x) / cells, a);
+            const double sine = 1 / std::sqrt(1 + y * y), cosine = y * sine;
+            const double dv_dy = 0.5 * (a / ((y + a) * (y + a)) + 1 / ((y + 1) * (y + 1)));
+            directions.add({sine * c, sine * s, cosine},
+                           node.weight / cells * cosine * sine * sine * sine / dv_dy);
         }
-        begin = end;
-    }
-    return sum;
+    return sum_shares(shading, directions);
 }
 
 // phi at which rho = (psi + phi)/2 stands on a row of the albedo's tables, first to last: between two of them
@@ -67,7 +55,7 @@ std::vector<double> row_azimuths(const Shading<double>& shading) {
 
 }  // namespace
 
-AlbedoIntegrals integrate_albedo(const Shading<double>& shading) {
+AlbedoIntegrals integrate_albedo(const Shading<double>& shading, Workers& workers) {
     Integrals sum{};
     double covered = 0;
     if (shading.surface.tables.symmetry == Shading<double>::SYMMETRY_ISOTROPIC) {
@@ -76,12 +64,14 @@ AlbedoIntegrals integrate_albedo(const Shading<double>& shading) {
     } else {
         const std::vector<double> azimuths = row_azimuths(shading);
         covered = azimuths.back() - azimuths.front();
-        for (std::size_t i = 0; i + 1 < azimuths.size(); ++i) {
-            const Integrals part =
-                integrate_adaptively<4>([&](double phi) { return integrate_meridian(shading, phi); },
-                                        azimuths[i], azimuths[i + 1], 1e-7, 12);
+        std::vector<Integrals> parts(azimuths.size() - 1);
+        workers.for_each(static_cast<int>(parts.size()), [&](int i) {
+            const std::size_t at = static_cast<std::size_t>(i);
+            parts[at] = integrate_adaptively<4>([&](double phi) { return integrate_meridian(shading, phi); },
+                                                azimuths[at], azimuths[at + 1], 1e-7, 12);
+        });
+        for (const Integrals& part : parts)
             for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += part[j];
-        }
     }
     for (double& value : sum) value *= 2 * pi / covered;
     AlbedoIntegrals result;

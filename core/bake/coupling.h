@@ -2,6 +2,7 @@
 // closes (Ashikhmin 2000, eq. 28).
 #pragma once
 
+#include "core/bake/workers.h"
 #include "core/model/shading.h"
 
 namespace nacre {
@@ -12,7 +13,7 @@ struct AlbedoIntegrals {
         0};  // c = 1/integral of (whole - R)+ cos dk for each colour, 1/sr; 0 where nothing is left
 };
 
-// `shading` holds finished albedo tables; whole is 1, or f0 for the paper's metal.
-AlbedoIntegrals integrate_albedo(const Shading<double>& shading);
+// `shading` holds finished albedo tables; whole is 1, or f0 for the paper's metal. Throws BakeCancelled.
+AlbedoIntegrals integrate_albedo(const Shading<double>& shading, Workers& workers);
 
 }  // namespace nacre

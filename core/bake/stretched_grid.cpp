@@ -1,6 +1,7 @@
 #include "core/bake/stretched_grid.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -84,17 +85,19 @@ double cotangent_at_v(double v, double a) {
     return b >= 0 ? (b + root) / (2 * v) : 2 * (1 - v) * a / (root - b);
 }
 
-// Halves the interval of phi: psi rises with phi and both are the same at every half turn.
+// psi rises with phi and both are the same at every half turn.
 dvec2 azimuth_at_rho(double rho, const Shading<double>& shading) {
     double low = rho < 2 ? 0 : 2, high = low + 2;
     if (rho <= low) return direction_at(low);
     if (rho >= high) return direction_at(high);
-    for (int i = 0; i < 60; ++i) {
-        const double phi = 0.5 * (low + high);
-        const dvec2 e = direction_at(phi);
-        (0.5 * (shading.table_turns(e.x, e.y) + phi) < rho ? low : high) = phi;
-    }
-    return direction_at(0.5 * (low + high));
+    std::uintmax_t steps = 60;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+        [&](double phi) {
+            const dvec2 e = direction_at(phi);
+            return 0.5 * (shading.table_turns(e.x, e.y) + phi) - rho;
+        },
+        low, high, low - rho, high - rho, boost::math::tools::eps_tolerance<double>(50), steps);
+    return direction_at(0.5 * (below + above));
 }
 
 int strewn_cell(int i, int columns, int rows) {

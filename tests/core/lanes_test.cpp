@@ -97,11 +97,11 @@ TEST_CASE("R summed over facets side by side is the sum over each of them") {
                 const int channels = tables->plan.fresnel_tables;
                 const auto area = [&](dvec3 k) { return shading.projected_area(k, shading.table_spot(k)); };
                 const FacetAlbedo one{shading, k1, g1, channels};
-                FacetColumns facets;
+                WeightedDirections facets;
                 AlbedoValues sum{};
                 for (int i = 0; i < 101; ++i) {
                     const Facet facet{random_direction(random), 0.01 * uniform_random(random)};
-                    facets.add(facet);
+                    facets.add(facet.h, facet.mass);
                     const AlbedoValues values = one(facet.h, area);
                     for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += facet.mass * values[c];
                 }

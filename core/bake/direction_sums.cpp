@@ -1,0 +1,118 @@
+#include "core/bake/direction_sums.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/bake/direction_sums.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for each kind of processor
+
+#include "core/model/lane_shading-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nacre {
+namespace HWY_NAMESPACE {
+namespace {
+
+using Doubles = hn::ScalableTag<double>;
+using Lanes = LaneShading<Doubles>;
+using Real = Lanes::real;
+
+// The tables are floats and are read as floats, which halves the time: k is exact in double before.
+using Floats = hn::Rebind<float, Doubles>;
+using Table = LaneShading<Floats>;
+
+struct TableArea {
+    HWY_ATTR Real operator()(Lanes::real3 k) const {
+        const auto narrow = [](Real x) HWY_ATTR { return Table::real(hn::DemoteTo(Floats(), x.v)); };
+        const Table::real3 to(narrow(k.x), narrow(k.y), narrow(k.z));
+        return Real(hn::PromoteTo(Doubles(), table.projected_area(to, table.table_spot(to)).v));
+    }
+
+    const Table& table;
+};
+
+// `count` numbers from `from` on and zeros.
+Real load(const double* from, std::size_t count) {
+    const Doubles d;
+    if (count >= hn::Lanes(d)) return Real(hn::LoadU(d, from));
+    HWY_ALIGN double lanes[hn::MaxLanes(d)] = {};
+    for (std::size_t i = 0; i < count; ++i) lanes[i] = from[i];
+    return Real(hn::Load(d, lanes));
+}
+
+// values(direction, out) of every direction times its weight. Past the end weights are 0 and the direction n.
+template <class ValuesAt>
+HWY_FLATTEN HWY_ATTR void weigh(const WeightedDirections& directions, const ValuesAt& values_at,
+                                Values<4>& sum) {
+    const Doubles d;
+    Real sums[4] = {0.0, 0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < directions.size(); i += hn::Lanes(d)) {
+        const std::size_t rest = directions.size() - i;
+        Lanes::real3 h(load(directions.x() + i, rest), load(directions.y() + i, rest),
+                       load(directions.z() + i, rest));
+        const Real weight = load(directions.weight() + i, rest);
+        if (rest < hn::Lanes(d)) h.z = select(LaneMask<Doubles>{hn::FirstN(d, rest)}, h.z, Real(1.0));
+        Real values[4];
+        values_at(h, values);
+        for (int c = 0; c < 4; ++c) sums[c] += values[c] * weight;
+    }
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = hn::GetLane(hn::SumOfLanes(d, sums[c].v));
+}
+
+void sum_over_facets(const Shading<double>& material, const Shading<double>::Direction& from, int channels,
+                     const WeightedDirections& facets, Values<4>& sum) {
+    Lanes shading;
+    copy_surface(shading, material);
+    Table table;
+    copy_surface(table, material);
+    const Lanes::Direction a{Lanes::real3(from.k), Real(from.g), Lanes::real3(0.0)};
+    const TableArea area{table};
+    weigh(
+        facets,
+        [&](Lanes::real3 h, Real(&values)[4])
+            HWY_ATTR { shading.facet_albedo(a, h, channels, area, values); },
+        sum);
+}
+
+void sum_over_shares(const Shading<double>& material, const WeightedDirections& directions, Values<4>& sum) {
+    Lanes shading;
+    copy_surface(shading, material);
+    weigh(
+        directions,
+        [&](Lanes::real3 k, Real(&values)[4]) HWY_ATTR {
+            const Lanes::TableSpot spot = shading.table_spot(k);
+            const Real g = shading.projected_area(k, spot);
+            const Lanes::AlbedoSpot albedo = shading.albedo_spot(k, spot);
+            const Lanes::real3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
+            values[0] = shading.full_albedo(albedo) * shading.clamped_part(k, g);
+            values[1] = share.x;
+            values[2] = share.y;
+            values[3] = share.z;
+        },
+        sum);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace nacre
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nacre {
+
+HWY_EXPORT(sum_over_facets);
+HWY_EXPORT(sum_over_shares);
+
+AlbedoValues sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
+                        const WeightedDirections& facets) {
+    AlbedoValues sum{};
+    HWY_DYNAMIC_DISPATCH(sum_over_facets)(shading, {k1, g1, dvec3{0}}, channels, facets, sum);
+    return sum;
+}
+
+Values<4> sum_shares(const Shading<double>& shading, const WeightedDirections& directions) {
+    Values<4> sum{};
+    HWY_DYNAMIC_DISPATCH(sum_over_shares)(shading, directions, sum);
+    return sum;
+}
+
+}  // namespace nacre
+#endif

@@ -1,0 +1,45 @@
+// Sums over lists of directions, many side by side in vectors as wide as the processor has. The same for any
+// number of threads; the order of a sum follows the width of the vectors.
+#pragma once
+
+#include <vector>
+
+#include "core/model/lobe.h"
+#include "core/model/quadrature.h"
+#include "core/model/shading.h"
+
+namespace nacre {
+
+// R with F = 1, then with one or three Fresnel factors (Schlick's weight, or the design's exact F).
+using AlbedoValues = Values<4>;
+
+// Unit vectors in columns, each with its weight.
+class WeightedDirections {
+  public:
+    void add(dvec3 direction, double weight) {
+        x_.push_back(direction.x);
+        y_.push_back(direction.y);
+        z_.push_back(direction.z);
+        weight_.push_back(weight);
+    }
+
+    std::size_t size() const { return x_.size(); }
+    const double* x() const { return x_.data(); }
+    const double* y() const { return y_.data(); }
+    const double* z() const { return z_.data(); }
+    const double* weight() const { return weight_.data(); }
+
+  private:
+    std::vector<double> x_, y_, z_, weight_;
+};
+
+// What facets add to R(k1), weights being their masses p dh; g(k1) = g1, g(k2) from the tables of `shading`.
+// See Shading::facet_albedo.
+AlbedoValues sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
+                        const WeightedDirections& facets);
+
+// R with F = 1, then (whole - R)+ of three colours, as the finished tables of `shading` hold them; see
+// Shading::diffuse_share.
+Values<4> sum_shares(const Shading<double>& shading, const WeightedDirections& directions);
+
+}  // namespace nacre
