@@ -47,7 +47,7 @@ AreaTable::AreaTable(const AreaTable& before, std::shared_ptr<const FacetDistrib
         workers.for_each(static_cast<int>(samples_->size()), [&](int i) {
             const std::size_t at = static_cast<std::size_t>(i);
             double& area = areas_[at * lobes + l];
-            area = std::fmax(area + added.projected_area(to_lobe * (*samples_)[at].k), 0.0);
+            area = std::max(area + added.projected_area(to_lobe * (*samples_)[at].k), 0.0);
         });
     }
     fill();
@@ -175,8 +175,8 @@ AxisError AreaTable::measure(const Shading<double>& material) const {
     for (std::size_t i = node_count(); i < samples_->size(); ++i) {
         const Sample& sample = (*samples_)[i];
         errors.push_back(area_error(shading, sample.k, area_at(i)));
-        if (sample.place == Place::along_w) error.polar = std::fmax(error.polar, errors.back());
-        if (sample.place == Place::along_psi) error.azimuth = std::fmax(error.azimuth, errors.back());
+        if (sample.place == Place::along_w) error.polar = worse_error(error.polar, errors.back());
+        if (sample.place == Place::along_psi) error.azimuth = worse_error(error.azimuth, errors.back());
     }
     error.all = summarise(errors);
     return error;

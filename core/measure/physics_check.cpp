@@ -75,11 +75,10 @@ class PhysicsCheckRun {
                 integrate_facets(design_.distribution, distribution, directions[i], stop_);
             const double g = distribution.projected_area(directions[i]);
             whole[i] = std::fabs(integral.whole - 1);
-            visible[i] = g > 0 ? std::fabs(integral.visible / g - 1) : integral.visible;
+            visible[i] = g == 0 ? integral.visible : std::fabs(integral.visible / g - 1);
         });
         const double bound = with_picture_ ? picture_tolerance : smooth_tolerance;
-        const double p = *std::max_element(whole.begin(), whole.end());
-        const double g = *std::max_element(visible.begin(), visible.end());
+        const double p = summarise(whole).worst, g = summarise(visible).worst;
         add("normalisation", p, bound, verdict(p <= bound), "|integral of p - 1|");
         add("white furnace", g, bound, verdict(g <= bound), "worst |integral of (k.h)+ p / g(k) - 1|");
     }
@@ -111,14 +110,16 @@ class PhysicsCheckRun {
         const dvec3 mean = tables_->mean;
         const double angle = std::atan2(std::hypot(mean.x, mean.y), mean.z) * 180 / pi;
         const bool upright = angle <= upright_degrees;
-        const bool fails = !upright && !design_.shadowing.clamp && creates_energy;
+        const bool creates = !upright && !design_.shadowing.clamp && creates_energy;
+        const bool fails = creates || std::isnan(angle);
         add("mean normal", angle, upright_degrees,
             upright ? Verdict::pass
             : fails ? Verdict::fail
                     : Verdict::note,
             upright ? "degrees between <h> and n"
-            : fails ? "degrees between <h> and n: p is no height field's, and without clamp it creates energy"
-                    : "degrees between <h> and n: p is no height field's");
+            : creates
+                ? "degrees between <h> and n: p is no height field's, and without clamp it creates energy"
+                : "degrees between <h> and n: p is no height field's");
     }
 
     void check_tables() {
@@ -139,7 +140,7 @@ class PhysicsCheckRun {
                                     : Verdict::note,
             "largest weight/F - 1 of a visible facet");
         const double bound = 0.02 * std::fmax(1.0, sampling.weight + 1);
-        add("sampling mean", sampling.mean, bound, verdict(sampling.mean <= bound),
+        add("sampling mean", sampling.mean, bound, verdict(std::isfinite(bound) && sampling.mean <= bound),
             "worst |mean weight - R|");
     }
 

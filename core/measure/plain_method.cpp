@@ -25,9 +25,6 @@ Shading<double> plain_form(const Tables& tables) {
     return shading;
 }
 
-// The larger of two errors, where no number is the largest.
-double worse(double a, double b) { return std::isnan(b) ? limits::infinity : std::fmax(a, b); }
-
 }  // namespace
 
 PlainMethod::PlainMethod(const Tables& tables) : tables_(tables), grid_(polar, azimuths, {}) {
@@ -58,15 +55,16 @@ PlainMethodErrors measure_plain_method(const Tables& tables, std::span<const Dir
     for (const dvec3 k : area_probes) {
         const double exact = tables.distribution->area(k).g;
         const double divisor = std::max(exact, 0.05 * tables.shading.table_spot(k).q);
-        errors.area = worse(errors.area, std::fabs(plain.area(k) - exact) / divisor);
+        errors.area = worse_error(errors.area, std::fabs(plain.area(k) - exact) / divisor);
     }
     const Shading<double> form = plain_form(tables);
     const AlbedoRule rule(*tables.distribution, form, 0, rule_tolerance);
     Random random(26);
     for (const dvec3 k : albedo_probes) {
         if (stop.stop_requested()) throw BakeCancelled();
-        errors.albedo = worse(errors.albedo, std::fabs(plain.albedo(k, samples, random) -
-                                                       rule(k, tables.distribution->projected_area(k))[0]));
+        errors.albedo = worse_error(
+            errors.albedo,
+            std::fabs(plain.albedo(k, samples, random) - rule(k, tables.distribution->projected_area(k))[0]));
     }
     errors.unsound =
         static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const DirectionPair& pair) {
