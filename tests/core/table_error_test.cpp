@@ -72,6 +72,12 @@ TEST_CASE("tables that hold no number fail every check that reads them") {
     CHECK(measure_sampling(design, albedo, {}).mean == limits::infinity);
 }
 
+TEST_CASE("a claim allows the tolerance, or a quarter more than the bake measured") {
+    CHECK(allowed_error({.worst = 5e-4}, 1e-3) == 1e-3);
+    CHECK(allowed_error({.worst = 4e-3}, 1e-3) == 5e-3);
+    CHECK(allowed_error({.worst = none}, 1e-3) == limits::infinity);
+}
+
 TEST_CASE("a bake that claims an infinite error has not made tables") {
     ExtremeCase extreme;
     extreme.design = design_of(GgxLobe{0.3, 0.3});
