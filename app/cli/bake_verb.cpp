@@ -7,6 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/table_output.h"
 #include "app/cli/verbs.h"
+#include "core/exchange/error_json.h"
 #include "core/exchange/table_files.h"
 
 namespace nacre::cli {
@@ -18,14 +19,6 @@ struct BakeVerbOptions {
     BakeOptions bake = {};
     bool json = false;
 };
-
-nlohmann::ordered_json error_json(const TableError& error) {
-    return {{"worst", error.worst}, {"rms", error.root_mean_square}, {"directions", error.directions}};
-}
-
-nlohmann::ordered_json errors_json(const TableErrors& errors) {
-    return {{"g", error_json(errors.area)}, {"R", error_json(errors.albedo)}};
-}
 
 std::string json_summary(const WrittenTables& written, const std::string& folder) {
     const Tables& tables = *written.tables;

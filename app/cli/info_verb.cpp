@@ -11,6 +11,7 @@
 #include "app/cli/verbs.h"
 #include "core/design/design_file.h"
 #include "core/design/design_names.h"
+#include "core/exchange/error_json.h"
 #include "core/exchange/table_files.h"
 
 namespace nacre::cli {
@@ -86,10 +87,9 @@ nlohmann::ordered_json size_json(const TableError& error, const std::vector<Trie
     nlohmann::ordered_json sizes = nlohmann::ordered_json::array();
     for (const TriedSize& size : tried)
         sizes.push_back({{"nodes", {size.nodes.polar, size.nodes.azimuth}}, {"worst", size.worst}});
-    return {{"worst", error.worst},
-            {"rms", error.root_mean_square},
-            {"directions", error.directions},
-            {"tried", std::move(sizes)}};
+    nlohmann::ordered_json json = error_json(error);
+    json["tried"] = std::move(sizes);
+    return json;
 }
 
 std::string text_info(const Design& design, const Tables& tables) {

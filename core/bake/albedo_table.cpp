@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace nacre {
 namespace {
@@ -10,34 +9,24 @@ namespace {
 // Beyond those between nodes.
 constexpr int grazing_probes = 24;
 
-enum class Place { along_v, along_rho, centre };
+// The places of a table whose axes are v and rho.
+struct Place {
+    static constexpr auto along_v = TablePlace::along_polar, along_rho = TablePlace::along_azimuth;
+};
 
 struct Probe {
     dvec3 k;
-    Place place;
+    TablePlace place;
 };
 
 std::vector<Probe> choose_probes(const StretchedGrid& grid, const TableSize& nodes, int count) {
-    const bool closed = grid.shape().symmetry == Shading<double>::SYMMETRY_NONE;
-    const int columns = nodes.v - 1, rows = nodes.rho == 1 ? 1 : closed ? nodes.rho : nodes.rho - 1;
-    const int cells = columns * rows;
+    const TableCells cells({nodes.v, nodes.rho}, grid.symmetry());
+    std::vector<TablePoint> points = count < cells.count() ? cells.strewn(count) : cells.one_a_cell();
+    for (const TablePoint& point : cells.grazing(grazing_probes)) points.push_back(point);
     std::vector<Probe> probes;
-    count = std::min(count, cells);
-    for (int i = 0; i < count; ++i) {
-        const int cell = count == cells ? i : strewn_cell(i, columns, rows);
-        const Place place = nodes.rho == 1 || i % 3 == 0 ? Place::along_v
-                            : i % 3 == 1                 ? Place::along_rho
-                                                         : Place::centre;
-        const double column = cell % columns + (place == Place::along_rho ? 1 : 0.5);
-        const double row = cell / columns + (place == Place::along_v ? 0 : 0.5);
-        probes.push_back({grid.albedo_direction(column / columns, row, nodes.rho), place});
-    }
-    // The last cell before the horizon may hold a layer thinner than itself.
-    for (int i = 0; i < grazing_probes; ++i) {
-        const double column = columns - std::exp2(-2 - i % 12);
-        const double row = nodes.rho == 1 ? 0 : rows * std::fmod((i + 0.5) * std::numbers::phi, 1.0);
-        probes.push_back({grid.albedo_direction(column / columns, row, nodes.rho), Place::centre});
-    }
+    for (const TablePoint& point : points)
+        probes.push_back(
+            {grid.albedo_direction(point.column / cells.columns(), point.row, nodes.rho), point.place});
     return probes;
 }
 

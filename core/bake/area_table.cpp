@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -18,6 +17,8 @@ constexpr std::size_t worst_looked_at = 12;
 
 // Beyond those between nodes.
 constexpr int grazing_samples = 96;
+
+bool all_measured(const TableCells& cells) { return cells.flat() || 3 * cells.count() <= between_most; }
 
 }  // namespace
 
@@ -47,7 +48,7 @@ AreaTable::AreaTable(const AreaTable& before, std::shared_ptr<const FacetDistrib
         workers.for_each(static_cast<int>(samples_->size()), [&](int i) {
             const std::size_t at = static_cast<std::size_t>(i);
             double& area = areas_[at * lobes + l];
-            area = std::fmax(area + added.projected_area(to_lobe * (*samples_)[at].k), 0.0);
+            area = std::max(area + added.projected_area(to_lobe * (*samples_)[at].k), 0.0);
         });
     }
     fill();
@@ -57,29 +58,22 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
     std::vector<Sample> samples;
     for (int row = 0; row < nodes_.psi; ++row)
         for (int column = 0; column < nodes_.w; ++column)
-            samples.push_back(sample_at(column, row, Place::node));
-    const int cells = columns() * rows();
-    if (nodes_.psi == 1) {
-        for (int cell = 0; cell < cells; ++cell) samples.push_back(between(cell, Place::along_w));
-    } else if (3 * cells <= between_most) {
-        for (int cell = 0; cell < cells; ++cell)
-            for (const Place place : kinds_between) samples.push_back(between(cell, place));
-    } else {
-        for (int i = 0; i < std::max(between_most, cells / 3); ++i)
-            samples.push_back(between(strewn_cell(i, columns(), rows()), kinds_between[i % 3]));
-    }
-    // A layer at grazing may be thinner than the last cell.
-    for (int i = 0; i < grazing_samples; ++i)
-        samples.push_back(sample_at(
-            columns() - std::exp2(-2 - i % 12),
-            nodes_.psi == 1 ? 0 : rows() * std::fmod((i + 0.5) * std::numbers::phi, 1.0), Place::centre));
+            samples.push_back(
+                sample_at({static_cast<double>(column), static_cast<double>(row), TablePlace::node}));
+    const TableCells cells = this->cells();
+    const bool all = all_measured(cells);
+    for (const TablePoint& point :
+         all ? cells.every_place() : cells.strewn(std::max(between_most, cells.count() / 3)))
+        samples.push_back(sample_at(point));
+    for (const TablePoint& point : cells.grazing(grazing_samples)) samples.push_back(sample_at(point));
     add_samples(std::move(samples), workers);
 }
 
 // The strewn directions may miss the worst, which sits in few cells where p has a narrow feature: the
 // neighbours of those that err most are looked at too.
 void AreaTable::sample_near_worst(Workers& workers) {
-    if (nodes_.psi == 1 || 3 * columns() * rows() <= between_most) return;
+    const TableCells cells = this->cells();
+    if (all_measured(cells)) return;
     const Shading<double> shading = this->shading({});
     std::vector<std::pair<double, std::size_t>> errors;
     for (std::size_t i = node_count(); i < samples_->size(); ++i)
@@ -89,42 +83,23 @@ void AreaTable::sample_near_worst(Workers& workers) {
                       [](const auto& a, const auto& b) {
                           return a.first != b.first ? a.first > b.first : a.second < b.second;
                       });
-    std::set<int> cells;
-    const bool closed = rows() == nodes_.psi;
-    for (std::size_t i = 0; i < kept; ++i) {
-        const Sample& worst = (*samples_)[errors[i].second];
-        for (int down = -1; down <= 1; ++down)
-            for (int across = -1; across <= 1; ++across) {
-                const int column = static_cast<int>(worst.column) + across;
-                int row = static_cast<int>(worst.row) + down;
-                if (closed) row = (row + rows()) % rows();
-                if (column >= 0 && column < columns() && row >= 0 && row < rows())
-                    cells.insert(row * columns() + column);
-            }
-    }
+    std::set<int> looked_at;
+    for (std::size_t i = 0; i < kept; ++i)
+        for (const int cell : cells.cells_round((*samples_)[errors[i].second].point)) looked_at.insert(cell);
     std::vector<Sample> samples;
-    for (const int cell : cells)
-        for (const Place place : kinds_between) samples.push_back(between(cell, place));
+    for (const int cell : looked_at)
+        for (const TablePoint& point : cells.every_place_of(cell)) samples.push_back(sample_at(point));
     add_samples(std::move(samples), workers);
 }
 
-// The table closes on its first row where p has no symmetry.
-int AreaTable::rows() const {
-    if (nodes_.psi == 1) return 1;
-    return grid_->shape().symmetry == Shading<double>::SYMMETRY_NONE ? nodes_.psi : nodes_.psi - 1;
-}
+TableCells AreaTable::cells() const { return {{nodes_.w, nodes_.psi}, grid_->symmetry()}; }
 
 std::size_t AreaTable::node_count() const {
     return static_cast<std::size_t>(nodes_.psi) * static_cast<std::size_t>(nodes_.w);
 }
 
-AreaTable::Sample AreaTable::sample_at(double column, double row, Place place) const {
-    return {grid_->area_direction(column / columns(), row), column, row, place};
-}
-
-AreaTable::Sample AreaTable::between(int cell, Place place) const {
-    return sample_at(cell % columns() + (place == Place::along_psi ? 1 : 0.5),
-                     cell / columns() + (place == Place::along_w ? 0 : 0.5), place);
+AreaTable::Sample AreaTable::sample_at(const TablePoint& point) const {
+    return {grid_->area_direction(point.column / (nodes_.w - 1), point.row), point};
 }
 
 void AreaTable::add_samples(std::vector<Sample> added, Workers& workers) {
@@ -175,8 +150,10 @@ AxisError AreaTable::measure(const Shading<double>& material) const {
     for (std::size_t i = node_count(); i < samples_->size(); ++i) {
         const Sample& sample = (*samples_)[i];
         errors.push_back(area_error(shading, sample.k, area_at(i)));
-        if (sample.place == Place::along_w) error.polar = std::fmax(error.polar, errors.back());
-        if (sample.place == Place::along_psi) error.azimuth = std::fmax(error.azimuth, errors.back());
+        if (sample.point.place == TablePlace::along_polar)
+            error.polar = worse_error(error.polar, errors.back());
+        if (sample.point.place == TablePlace::along_azimuth)
+            error.azimuth = worse_error(error.azimuth, errors.back());
     }
     error.all = summarise(errors);
     return error;

@@ -6,6 +6,7 @@
 
 #include "core/bake/facet_changes.h"
 #include "core/bake/stretched_grid.h"
+#include "core/bake/table_points.h"
 #include "core/bake/tables.h"
 #include "core/bake/workers.h"
 
@@ -39,24 +40,19 @@ class AreaTable {
     const std::vector<float>& data() const { return data_; }
 
   private:
-    enum class Place { node, along_w, along_psi, centre };
-    static constexpr Place kinds_between[3] = {Place::along_w, Place::along_psi, Place::centre};
     struct Sample {
         dvec3 k;
-        double column, row;
-        Place place;
+        TablePoint point;
     };
 
     void sample_nodes_and_between(Workers& workers);
     void sample_near_worst(Workers& workers);
     void add_samples(std::vector<Sample> added, Workers& workers);
-    Sample sample_at(double column, double row, Place place) const;
-    Sample between(int cell, Place place) const;
+    Sample sample_at(const TablePoint& point) const;
     void sample(std::size_t index);
     void fill();
     double area_at(std::size_t index) const;
-    int columns() const { return nodes_.w - 1; }  // of cells
-    int rows() const;
+    TableCells cells() const;
     std::size_t node_count() const;
 
     std::shared_ptr<const FacetDistribution> distribution_;

@@ -81,8 +81,7 @@ Baker::Followed Baker::follow(const Distribution& distribution) const {
         return now;
     }
     auto lobe_before = [&](std::size_t index) -> const PlacedLobe* {
-        if (!distribution_ || index >= distribution.layers.size() || index >= before_.layers.size())
-            return nullptr;
+        if (!distribution_ || index >= before_.layers.size()) return nullptr;
         const auto& lobes = distribution_->lobes();
         const auto found = std::find_if(lobes.begin(), lobes.end(),
                                         [&](const PlacedLobe& placed) { return placed.layer == index; });
@@ -227,14 +226,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
         if (progress) progress(done);
     };
     report(0);
-    Kept made{.design = named,
-              .options = options,
-              .plan = {},
-              .area = nullptr,
-              .area_error = {},
-              .albedo = nullptr,
-              .tried_area = {},
-              .tried_albedo = {}};
+    Kept made{.design = named, .options = options};
     made.design.distribution = without_names(named.distribution);
     made.plan = plan_bake(named, {options.quality, options.albedo, options.size, options.symmetry});
     const Followed now = workers.run([&] { return follow(made.design.distribution); });

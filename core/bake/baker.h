@@ -31,14 +31,14 @@ class Baker {
   private:
     // The last tables of one quality and what they were made for.
     struct Kept {
-        Design design;
-        BakeOptions options;
-        BakePlan plan;
-        std::shared_ptr<const AreaTable> area;
-        AxisError area_error;
+        Design design = {};
+        BakeOptions options = {};
+        BakePlan plan = {};
+        std::shared_ptr<const AreaTable> area = {};
+        AxisError area_error = {};
         double fitted_error = 0;  // worst of g when the grid was fitted to p
-        std::shared_ptr<const AlbedoTable> albedo;
-        std::vector<TriedSize> tried_area, tried_albedo;
+        std::shared_ptr<const AlbedoTable> albedo = {};
+        std::vector<TriedSize> tried_area = {}, tried_albedo = {};
     };
 
     // What lobes the new distribution shares with the one before.

@@ -1,8 +1,5 @@
 #include "core/bake/brdf.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace nacre {
 
 dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction& a,
@@ -34,16 +31,14 @@ double Brdf::pdf(dvec3 k1, dvec3 k2) const {
     const double g = shading.projected_area(k1, shading.table_spot(k1));
     const double specular = g > 0 ? shading.density(glm::normalize(k1 + k2)) / (4 * g) : 0;
     const double diffuse = diffuse_probability();
-    return (1 - diffuse) * specular + diffuse * k2.z / std::numbers::pi;
+    return (1 - diffuse) * specular + diffuse * cosine_density(k2);
 }
 
 std::optional<BrdfSample> Brdf::sample(dvec3 k1, Random& random) const {
     if (k1.z <= 0) return {};
     dvec3 k2;
     if (uniform_random(random) < diffuse_probability()) {
-        const double radius = std::sqrt(uniform_random(random));
-        const double phi = 2 * std::numbers::pi * uniform_random(random);
-        k2 = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - radius * radius)};
+        k2 = cosine_sample(random);
     } else {
         if (tables_->distribution->projected_area(k1) <= 0) return {};
         const dvec3 h = tables_->distribution->sample_visible(k1, random);

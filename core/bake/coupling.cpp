@@ -37,16 +37,15 @@ Integrals integrate_meridian(const Shading<double>& shading, double phi) {
 }
 
 // phi at which rho = (psi + phi)/2 stands on a row of the albedo's tables, first to last: between two of them
-// the interpolant is smooth but for the rows of D, which adaptive halving finds.
+// the interpolant is smooth but for the rows of g, which adaptive halving finds.
 std::vector<double> row_azimuths(const Shading<double>& shading) {
     const auto& shape = shading.surface.tables;
-    const bool full = shape.symmetry == Shading<double>::SYMMETRY_NONE;
-    const double range = shape.symmetry == Shading<double>::SYMMETRY_QUARTER ? 1 : full ? 4 : 2;
-    const int cells = full ? shape.nodes_rho : shape.nodes_rho - 1;
+    const auto symmetry = static_cast<Symmetry>(shape.symmetry);
+    const int cells = azimuth_cells(shape.nodes_rho, symmetry);
     const double axis = std::atan2(shape.axis.y, shape.axis.x);
     std::vector<double> azimuths;
     for (int i = 0; i <= cells; ++i) {
-        const dvec2 e = azimuth_at_rho(range * i / cells, shading);
+        const dvec2 e = azimuth_at_rho(row_turns(i, shape.nodes_rho, symmetry), shading);
         const double phi = std::atan2(e.y, e.x);
         azimuths.push_back(axis + (i > 0 && phi < 1e-12 ? phi + 2 * pi : phi));
     }

@@ -100,11 +100,19 @@ dvec2 azimuth_at_rho(double rho, const Shading<double>& shading) {
     return direction_at(0.5 * (below + above));
 }
 
-int strewn_cell(int i, int columns, int rows) {
-    const double plastic = 1.32471795724474602596;
-    const double x = std::fmod(0.5 + (i + 1) / plastic, 1.0);
-    const double y = std::fmod(0.5 + (i + 1) / (plastic * plastic), 1.0);
-    return static_cast<int>(y * rows) * columns + static_cast<int>(x * columns);
+double row_turns(double row, int nodes, Symmetry symmetry) {
+    const int cells = azimuth_cells(nodes, symmetry);
+    switch (symmetry) {
+        case Symmetry::isotropic:
+            break;
+        case Symmetry::quarter:
+            return row / cells;
+        case Symmetry::half:
+            return 2 * row / cells;
+        case Symmetry::none:
+            return 4 * row / cells;
+    }
+    return 0;
 }
 
 StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const DistributionSymmetry& symmetry,
@@ -138,27 +146,13 @@ void StretchedGrid::fit_ellipse(const FacetDistribution& distribution, double ax
 
 Shading<double>::TableSpot StretchedGrid::spot(dvec3 k) const { return shading_.table_spot(k); }
 
-double StretchedGrid::row_turns(double row, int nodes) const {
-    switch (symmetry_) {
-        case Symmetry::isotropic:
-            break;
-        case Symmetry::quarter:
-            return row / (nodes - 1);
-        case Symmetry::half:
-            return 2 * row / (nodes - 1);
-        case Symmetry::none:
-            return 4 * row / nodes;
-    }
-    return 0;
-}
-
 dvec2 StretchedGrid::turned(dvec2 e) const {
     const dvec2 axis = shape().axis;
     return {axis.x * e.x - axis.y * e.y, axis.y * e.x + axis.x * e.y};
 }
 
 dvec2 StretchedGrid::area_azimuth(double row) const {
-    return turned(azimuth_at_psi(row_turns(row, shape().nodes_psi), shape()));
+    return turned(azimuth_at_psi(row_turns(row, shape().nodes_psi, symmetry_), shape()));
 }
 
 double StretchedGrid::cotangent_scale(dvec2 e) const { return 2 * spot({e.x, e.y, 0}).q / shape().g_normal; }
@@ -172,7 +166,7 @@ dvec3 StretchedGrid::area_direction(double w, double row) const {
 
 dvec3 StretchedGrid::albedo_direction(double v, double row, int nodes_rho) const {
     if (v <= 0) return {0, 0, 1};
-    const dvec2 e = turned(azimuth_at_rho(row_turns(row, nodes_rho), shading_));
+    const dvec2 e = turned(azimuth_at_rho(row_turns(row, nodes_rho, symmetry_), shading_));
     const dvec2 polar = glm::normalize(dvec2{cotangent_at_v(v, cotangent_scale(e)), 1});
     return {e * polar.y, polar.x};
 }

@@ -13,9 +13,8 @@ double cotangent_at_v(double v, double a);
 // shape.
 dvec2 azimuth_at_rho(double rho, const Shading<double>& shading);
 
-// The i-th cell, row * columns + column, of an even strewing over columns x rows (Roberts 2018, the R2
-// sequence).
-int strewn_cell(int i, int columns, int rows);
+// psi or rho at a row of so many, also between two of them, quarter turns.
+double row_turns(double row, int nodes, Symmetry symmetry);
 
 class StretchedGrid {
   public:
@@ -26,6 +25,8 @@ class StretchedGrid {
 
     // The fields of the shader's table shape that do not depend on where the tables lie.
     const Shading<double>::TableShape& shape() const { return shading_.surface.tables; }
+
+    Symmetry symmetry() const { return symmetry_; }
 
     // The direction at (w, psi) of the area's table or at (v, rho) of the albedo's, w and v in [0, 1]; rows
     // as in the tables, also between nodes.
@@ -39,10 +40,9 @@ class StretchedGrid {
 
   private:
     void fit_ellipse(const FacetDistribution& distribution, double axis);
-    double row_turns(double row, int nodes) const;  // psi or rho at a row, quarter turns
-    dvec2 area_azimuth(double row) const;           // cos and sin of phi
-    dvec2 turned(dvec2 azimuth) const;              // from the axis to the surface's frame
-    double cotangent_scale(dvec2 azimuth) const;    // 2 |L e|/g(n)
+    dvec2 area_azimuth(double row) const;         // cos and sin of phi
+    dvec2 turned(dvec2 azimuth) const;            // from the axis to the surface's frame
+    double cotangent_scale(dvec2 azimuth) const;  // 2 |L e|/g(n)
     Shading<double>::TableSpot spot(dvec3 k) const;
 
     Symmetry symmetry_;

@@ -16,8 +16,6 @@ int rows(int cells, Symmetry symmetry) {
     return symmetry == Symmetry::none ? cells : cells + 1;
 }
 
-int cells_of(int rows, Symmetry symmetry) { return symmetry == Symmetry::none ? rows : rows - 1; }
-
 }  // namespace
 
 TableSize first_size(Symmetry symmetry, Quality quality) {
@@ -35,10 +33,14 @@ TableSize first_size(Symmetry symmetry, Quality quality) {
     return draft ? TableSize{17, 24, 17, 24} : TableSize{25, 32, 25, 32};
 }
 
+int azimuth_cells(int nodes, Symmetry symmetry) {
+    return symmetry == Symmetry::none || nodes == 1 ? nodes : nodes - 1;
+}
+
 TableNodes better_nodes(TableNodes now, Symmetry symmetry, double error_polar, double error_azimuth,
                         double target, int limit) {
     const bool flat = symmetry == Symmetry::isotropic;
-    const int old_polar = now.polar - 1, old_azimuth = flat ? 1 : cells_of(now.azimuth, symmetry);
+    const int old_polar = now.polar - 1, old_azimuth = azimuth_cells(now.azimuth, symmetry);
     auto expected = [](double error, int before, int after) {
         const double ratio = static_cast<double>(before) / after;
         return error * ratio * ratio;
@@ -65,7 +67,7 @@ TableNodes better_nodes(TableNodes now, Symmetry symmetry, double error_polar, d
 
 TableNodes more_azimuths(TableNodes now, Symmetry symmetry, int limit) {
     if (symmetry == Symmetry::isotropic) return now;
-    const int azimuths = rows(2 * cells_of(now.azimuth, symmetry), symmetry);
+    const int azimuths = rows(2 * azimuth_cells(now.azimuth, symmetry), symmetry);
     TableNodes more = now;
     for (const int polar : steps)
         if (polar < now.polar && (polar + 1) * azimuths <= limit) more = {polar + 1, azimuths};

@@ -20,8 +20,10 @@ double area_error(const Shading<double>& shading, dvec3 k, double exact) {
 
 double area_error(const Shading<double>& shading, dvec3 k, double read, double exact) {
     const double floor = shading.kinds.clamp ? shading.surface.N * k.z : 0;
-    const double divisor = std::max({exact, floor, 0.05 * shading.table_spot(k).q});
-    return divisor > 0 ? std::fabs(std::fmax(read, floor) - std::fmax(exact, floor)) / divisor : 0;
+    const double width = shading.table_spot(k).q;
+    if (std::isnan(read + exact + floor + width)) return limits::infinity;
+    const double divisor = std::max({exact, floor, 0.05 * width});
+    return divisor > 0 ? std::fabs(std::max(read, floor) - std::max(exact, floor)) / divisor : 0;
 }
 
 Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels) {
@@ -40,17 +42,21 @@ double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& ex
     const Values<4> read = read_albedo(shading, k, channels);
     double error = 0;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(channels); ++i)
-        error = std::fmax(error, std::fabs(read[i] - exact[i]));
+        error = worse_error(error, std::fabs(read[i] - exact[i]));
     return error;
+}
+
+double worse_error(double a, double b) {
+    return std::isnan(a) || std::isnan(b) ? limits::infinity : std::max(a, b);
 }
 
 TableError summarise(const std::vector<double>& errors) {
     TableError error{.directions = static_cast<int>(errors.size())};
     for (const double e : errors) {
-        error.worst = std::fmax(error.worst, e);
+        error.worst = worse_error(error.worst, e);
         error.root_mean_square += e * e / error.directions;
     }
-    error.root_mean_square = std::sqrt(error.root_mean_square);
+    error.root_mean_square = worse_error(0, std::sqrt(error.root_mean_square));
     return error;
 }
 

@@ -59,7 +59,7 @@ struct Tables {
 
 // Error of the tables' g at k, given g itself: relative to max(g, N c), which is what the BRDF divides by (to
 // g without clamp), and to no less than a twentieth of p's own width there. Less than that g has only where a
-// p that leans to one side turns away almost whole.
+// p that leans to one side turns away almost whole. Infinite where either g is no number.
 double area_error(const Shading<double>& shading, dvec3 k, double exact);
 
 // The same error of a g that was read from anywhere, so that every way of storing g is measured alike;
@@ -72,7 +72,10 @@ Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels);
 // Error of that, whichever factor errs most; `exact` as AlbedoRule gives it.
 double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels);
 
-// Worst and root mean square.
+// The larger of two errors; one that is no number is infinite.
+double worse_error(double a, double b);
+
+// Worst and root mean square; both are infinite where an error is no number.
 TableError summarise(const std::vector<double>& errors);
 
 }  // namespace nacre

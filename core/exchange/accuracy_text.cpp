@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/design/error.h"
+#include "core/exchange/error_json.h"
 
 namespace nacre {
 namespace {
@@ -20,14 +21,14 @@ std::string csv_field(const std::string& text) {
 
 Json points_json(const WayAccuracy& way) {
     Json points = Json::array();
-    for (const AccuracyPoint& point : way.points)
-        points.push_back({{"setting", point.setting},
-                          {"quantity", name_of(point.quantity)},
-                          {"seconds", point.seconds},
-                          {"bytes", point.bytes},
-                          {"worst", point.error.worst},
-                          {"rms", point.error.root_mean_square},
-                          {"directions", point.error.directions}});
+    for (const AccuracyPoint& point : way.points) {
+        Json json = {{"setting", point.setting},
+                     {"quantity", name_of(point.quantity)},
+                     {"seconds", point.seconds},
+                     {"bytes", point.bytes}};
+        json.update(error_json(point.error));
+        points.push_back(std::move(json));
+    }
     return points;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/design/design_names.h"
+#include "core/exchange/error_json.h"
 
 namespace nacre {
 namespace {
@@ -228,10 +229,6 @@ Json pictures_json(const std::vector<TablePicture>& pictures) {
     return list;
 }
 
-Json error_json(const TableError& error) {
-    return {{"worst", error.worst}, {"rms", error.root_mean_square}, {"directions", error.directions}};
-}
-
 }  // namespace
 
 std::string layer_picture_file(int layer, const std::string& kind) {
@@ -272,14 +269,13 @@ std::string table_manifest(const Design& design, const Tables& tables,
         "g, q: areas per area of facets; A, R and P: parts of 1; psi and rho in quarter turns, other "
         "angles in radians unless said; colours "
         "linear Rec. 709";
-    json["error"] = {
-        {"g", error_json(errors.area)},
-        {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},
-        {"R", error_json(errors.albedo)},
-        {"R_is", "|R - exact|"},
-        {"tolerance", tables.tolerance},
-        {"by_the_bake", {{"g", error_json(tables.errors.area)}, {"R", error_json(tables.errors.albedo)}}},
-        {"against", "adaptive integration in double"}};
+    json["error"] = {{"g", error_json(errors.area)},
+                     {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},
+                     {"R", error_json(errors.albedo)},
+                     {"R_is", "|R - exact|"},
+                     {"tolerance", tables.tolerance},
+                     {"by_the_bake", errors_json(tables.errors)},
+                     {"against", "adaptive integration in double"}};
     json["bake_seconds"] = tables.seconds;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

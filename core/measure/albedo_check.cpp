@@ -40,7 +40,7 @@ AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std
     });
     AlbedoCheck check{.directions = count};
     for (const double value : values) {
-        check.worst = std::fmax(check.worst, value);
+        check.worst = worse_error(check.worst, value);
         if (!(value <= 1 + tolerance)) ++check.violations;
     }
     return check;

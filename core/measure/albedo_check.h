@@ -9,7 +9,7 @@
 namespace nacre {
 
 struct AlbedoCheck {
-    double worst = 0;    // the largest R at F = 1
+    double worst = 0;    // the largest R at F = 1; infinite where one is no number
     int violations = 0;  // directions with R > 1 + 1e-6
     int directions = 0;
 };

@@ -23,9 +23,7 @@ struct ExtremeOptions {
     bool plain_method = true;
 };
 
-// An error on directions that are not the bake's own, and the most that the bake's claim allows: the
-// tolerance it was asked for or, where its size forbade that, 1.25 times the worst error that it measured
-// itself.
+// An error on directions that are not the bake's own, and allowed_error().
 struct ClaimedError {
     double error = 0;
     double bound = 0;

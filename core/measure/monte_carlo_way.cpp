@@ -11,13 +11,6 @@ namespace {
 
 using std::numbers::pi;
 
-// Unit vectors about z, density cos/pi.
-dvec3 cosine_sample(Random& random) {
-    const double radius = std::sqrt(uniform_random(random));
-    const double phi = 2 * pi * uniform_random(random);
-    return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - radius * radius)};
-}
-
 // Columns: any two tangents and k.
 glm::dmat3 frame_about(dvec3 k) {
     const dvec3 other = std::fabs(k.z) < 0.5 ? dvec3{0, 0, 1} : dvec3{1, 0, 0};

@@ -12,7 +12,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int polar = 10, azimuths = 20;
 constexpr double rule_tolerance = 1e-3;
 constexpr int samples = 4096;    // a direction
 constexpr double lowest = 1e-6;  // c of the pairs that are counted
@@ -25,14 +24,11 @@ Shading<double> plain_form(const Tables& tables) {
     return shading;
 }
 
-// The larger of two errors, where no number is the largest.
-double worse(double a, double b) { return std::isnan(b) ? limits::infinity : std::fmax(a, b); }
-
 }  // namespace
 
-PlainMethod::PlainMethod(const Tables& tables) : tables_(tables), grid_(polar, azimuths, {}) {
-    for (int node = 0; node < grid_.size(); ++node)
-        nodes_.push_back(static_cast<float>(tables.distribution->area(grid_.direction(node)).g));
+PlainMethod::PlainMethod(const Tables& tables, const std::stop_token& stop)
+    : tables_(tables), grid_(PlainGrid(paper_polar, paper_azimuths, {})) {
+    grid_.fill_area([&](int, dvec3 k) { return tables.distribution->area(k).g; }, stop);
 }
 
 double PlainMethod::specular(dvec3 k1, dvec3 k2) const {
@@ -43,30 +39,26 @@ double PlainMethod::specular(dvec3 k1, dvec3 k2) const {
 
 double PlainMethod::albedo(dvec3 k, int count, Random& random) const {
     double sum = 0;
-    for (int i = 0; i < count; ++i) {
-        const double radius = std::sqrt(uniform_random(random)), phi = 2 * pi * uniform_random(random);
-        sum += specular(k, {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - radius * radius)});
-    }
+    for (int i = 0; i < count; ++i) sum += specular(k, cosine_sample(random));
     return pi * sum / count;
 }
 
 PlainMethodErrors measure_plain_method(const Tables& tables, std::span<const DirectionPair> pairs,
                                        std::span<const dvec3> area_probes,
                                        std::span<const dvec3> albedo_probes, const std::stop_token& stop) {
-    const PlainMethod plain(tables);
-    PlainMethodErrors errors;
-    for (const dvec3 k : area_probes) {
-        const double exact = tables.distribution->area(k).g;
-        const double divisor = std::max(exact, 0.05 * tables.shading.table_spot(k).q);
-        errors.area = worse(errors.area, std::fabs(plain.area(k) - exact) / divisor);
-    }
+    const PlainMethod plain(tables, stop);
     const Shading<double> form = plain_form(tables);
+    PlainMethodErrors errors;
+    for (const dvec3 k : area_probes)
+        errors.area =
+            worse_error(errors.area, area_error(form, k, plain.area(k), tables.distribution->area(k).g));
     const AlbedoRule rule(*tables.distribution, form, 0, rule_tolerance);
     Random random(26);
     for (const dvec3 k : albedo_probes) {
         if (stop.stop_requested()) throw BakeCancelled();
-        errors.albedo = worse(errors.albedo, std::fabs(plain.albedo(k, samples, random) -
-                                                       rule(k, tables.distribution->projected_area(k))[0]));
+        errors.albedo = worse_error(
+            errors.albedo,
+            std::fabs(plain.albedo(k, samples, random) - rule(k, tables.distribution->projected_area(k))[0]));
     }
     errors.unsound =
         static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const DirectionPair& pair) {

@@ -6,7 +6,7 @@
 #include <stop_token>
 
 #include "core/bake/tables.h"
-#include "core/measure/plain_grid.h"
+#include "core/measure/grid_table.h"
 
 namespace nacre {
 
@@ -18,9 +18,9 @@ class PlainMethod {
   public:
     // The nodes hold exact g, which is more than the paper has. Reads p from `tables`, which must outlive
     // this.
-    explicit PlainMethod(const Tables& tables);
+    PlainMethod(const Tables& tables, const std::stop_token& stop);
 
-    double area(dvec3 k) const { return grid_.value(nodes_, k); }
+    double area(dvec3 k) const { return grid_.area(k); }
 
     // p N/(4 g1 g2), F = 1; what the arithmetic makes of it.
     double specular(dvec3 k1, dvec3 k2) const;
@@ -30,12 +30,11 @@ class PlainMethod {
 
   private:
     const Tables& tables_;
-    PlainGrid grid_;
-    std::vector<float> nodes_;
+    GridTable grid_;
 };
 
 struct PlainMethodErrors {
-    double area = 0;    // of g, relative; to no less than a twentieth of p's width, as in area_error()
+    double area = 0;    // of g, relative; see area_error(), without clamp
     double albedo = 0;  // of R, absolute; against the bake's rule for the same form, without clamp
     int unsound = 0;    // pairs with c of 1e-6 and more whose rho is not finite or is negative
 };

@@ -33,9 +33,9 @@ SamplingCheck sample_at(const Brdf& brdf, dvec3 k, dvec3 albedo, Random random, 
         const double cosine = std::fmin(0.5 * glm::length(k + sample->k2), 1.0);
         const dvec3 f = brdf.tables().shading.fresnel(cosine);
         for (int c = 0; c < 3; ++c)
-            if (f[c] > 0) check.weight = std::fmax(check.weight, sample->weight[c] / f[c] - 1);
+            if (f[c] > 0) check.weight = worse_error(check.weight, sample->weight[c] / f[c] - 1);
     }
-    for (int c = 0; c < 3; ++c) check.mean = std::fmax(check.mean, std::fabs(sum[c] / samples - albedo[c]));
+    for (int c = 0; c < 3; ++c) check.mean = worse_error(check.mean, std::fabs(sum[c] / samples - albedo[c]));
     return check;
 }
 
@@ -51,8 +51,8 @@ SamplingCheck measure_sampling(const Design& design, std::shared_ptr<const Table
     });
     SamplingCheck worst{.weight = -1};
     for (const SamplingCheck& part : parts) {
-        worst.weight = std::fmax(worst.weight, part.weight);
-        worst.mean = std::fmax(worst.mean, part.mean);
+        worst.weight = worse_error(worst.weight, part.weight);
+        worst.mean = worse_error(worst.mean, part.mean);
     }
     return worst;
 }

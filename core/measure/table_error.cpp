@@ -13,7 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double grazing = 1e-5;  // the smallest c
+constexpr double grazing = 1e-5;      // the smallest c
+constexpr double claim_slack = 1.25;  // between the bake's directions the error may be so much larger
 
 }  // namespace
 
@@ -49,6 +50,10 @@ TableErrors measure_table_errors(const Tables& tables, const Reference& referenc
     });
     result.albedo = summarise(errors);
     return result;
+}
+
+double allowed_error(const TableError& claim, double tolerance) {
+    return worse_error(tolerance, claim_slack * claim.worst);
 }
 
 }  // namespace nacre

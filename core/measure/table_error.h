@@ -22,4 +22,8 @@ struct ProbeCounts {
 TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop = {},
                                  const ProbeCounts& probes = {});
 
+// The most that the bake's own claim allows on directions that are not the bake's: the tolerance or, where
+// the tables' size forbade that, 1.25 times the worst error that the bake measured itself.
+double allowed_error(const TableError& claim, double tolerance);
+
 }  // namespace nacre

@@ -1,5 +1,8 @@
 #include "core/model/lobe.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "core/model/gaussian_lobe.h"
 #include "core/model/isotropic_lobe.h"
 #include "core/model/picture_lobe.h"
@@ -49,5 +52,13 @@ std::shared_ptr<const LobeModel> make_lobe(const Layer& layer) {
 }
 
 double uniform_random(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+dvec3 cosine_sample(Random& random) {
+    const double radius = std::sqrt(uniform_random(random));
+    const double phi = 2 * std::numbers::pi * uniform_random(random);
+    return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - radius * radius)};
+}
+
+double cosine_density(dvec3 k) { return k.z / std::numbers::pi; }
 
 }  // namespace nacre

@@ -78,4 +78,8 @@ std::shared_ptr<const LobeModel> make_lobe(const Layer& layer);
 
 double uniform_random(Random& random);  // in [0, 1)
 
+// A direction about z, and the density that it is drawn with: cos(theta)/pi, 1/sr; k.z >= 0.
+dvec3 cosine_sample(Random& random);
+double cosine_density(dvec3 k);
+
 }  // namespace nacre

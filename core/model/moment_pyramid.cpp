@@ -11,9 +11,6 @@
 namespace nacre {
 namespace {
 
-// Facets a side of a tile. A dab touches a few tiles, and the tiles of a raster fill a few blocks.
-constexpr int tile_side_most = 64;
-
 // A cell waiting to be parted: a node of a tile, or a facet of one of its leaves.
 struct OpenCell {
     double error;  // mass times the square of the ball's radius

@@ -40,8 +40,15 @@ struct PyramidTile {
     double mass = 0;
 };
 
-// Of a tile: nodes of any size.
-inline constexpr std::size_t tile_nodes_most = 341;
+// Facets a side of a tile. A dab touches a few tiles, and the tiles of a raster fill a few blocks.
+inline constexpr int tile_side_most = 64;
+
+// Nodes of a tile of that side, all sizes and the leaves among them: 1 + 4 + 16 + ... + leaves.
+inline constexpr std::size_t tile_nodes_most = [] {
+    constexpr std::size_t leaves = tile_side_most / 4 * (tile_side_most / 4);
+    static_assert((leaves & (leaves - 1)) == 0, "a power of four");
+    return (4 * leaves - 1) / 3;
+}();
 
 // The tiles' own cells, four to a block, and the tiles beneath them.
 struct PyramidTop {

@@ -1,28 +1,37 @@
-// The paper's table (Ashikhmin 2000, sec. 5.2): nodes evenly over theta and phi, bilinear between them. Of a
-// p with two mirror planes through the axes, hence of a quarter of the hemisphere.
+// The paper's table of g (Ashikhmin 2000, sec. 5.2) of a p with two mirror planes through the axes: a quarter
+// of the plain grid.
 #pragma once
 
 #include <vector>
 
+#include "core/measure/plain_grid.h"
 #include "core/model/facet_distribution.h"
 
 namespace nacre::bench {
 
 class PaperGrid {
   public:
-    PaperGrid(int polar, int azimuths) : polar_(polar), azimuths_(azimuths) {}
+    // So many azimuths of the quarter, both ends included.
+    PaperGrid(int polar, int azimuths) : grid_(polar, 4 * (azimuths - 1), {Symmetry::quarter, 0}) {}
 
-    std::vector<dvec3> directions() const;  // of the nodes, above the horizon or on it
+    std::vector<dvec3> directions() const {  // of the nodes
+        std::vector<dvec3> all;
+        for (int node = 0; node < grid_.size(); ++node) all.push_back(grid_.direction(node));
+        return all;
+    }
 
-    // The table of g, exact at the nodes.
-    void fill(const FacetDistribution& facets);
-    double at(dvec3 k) const;
+    // Exact at the nodes.
+    void fill(const FacetDistribution& facets) {
+        values_.clear();
+        for (const dvec3 k : directions()) values_.push_back(static_cast<float>(facets.area(k).g));
+    }
+    double at(dvec3 k) const { return grid_.value(values_, k); }
 
-    int nodes() const { return polar_ * azimuths_; }
+    int nodes() const { return grid_.size(); }
 
   private:
-    int polar_, azimuths_;
-    std::vector<double> values_;
+    PlainGrid grid_;
+    std::vector<float> values_;
 };
 
 }  // namespace nacre::bench

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <thread>
 
 #include "core/bake/bake.h"
@@ -71,8 +72,13 @@ TEST_CASE("g and R of the tables agree with the reference") {
 }
 
 TEST_CASE("the measured error of g is the error that other directions see") {
-    for (const Design& design :
-         {design_of(GaussianLobe{0.1, 1}), satin(), grooves(0.01), design_of(InverseGaussianLobe{0.3})}) {
+    struct Case {
+        Design design;
+        double most;  // the tables of the grooves are as large as they may be, and err by more than 1e-3
+    };
+    for (const auto& [design, most] :
+         {Case{design_of(GaussianLobe{0.1, 1}), 1e-3}, Case{satin(), 1e-3}, Case{grooves(0.01), 2e-3},
+          Case{design_of(InverseGaussianLobe{0.3}), 1e-3}}) {
         const auto tables = bake(design);
         const FacetDistribution& p = *tables->distribution;
         Random random(12);
@@ -83,6 +89,7 @@ TEST_CASE("the measured error of g is the error that other directions see") {
             worst = std::fmax(worst, std::fabs(g / p.area(k).g - 1));
         }
         CHECK(worst < 1.25 * tables->errors.area.worst);
+        CHECK(worst < most);
         CHECK(tables->table_floats() * sizeof(float) <= 65536);
     }
 }
@@ -152,10 +159,10 @@ TEST_CASE("a white furnace closes on the interpolant") {
         constexpr int n = 600;
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j) {
-                const dvec3 k = polar(std::sqrt(1 - (i + 0.5) / n), 2 * 3.14159265358979 * (j + 0.5) / n);
+                const dvec3 k = polar(std::sqrt(1 - (i + 0.5) / n), 2 * std::numbers::pi * (j + 0.5) / n);
                 rest += 1 - shading.direction(k).R.x;
             }
-        rest *= 3.14159265358979 / n / n;
+        rest *= std::numbers::pi / n / n;
         CHECK(rest * shading.surface.coupling.x == doctest::Approx(1).epsilon(2e-4));
     }
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
@@ -11,6 +12,8 @@ using namespace nacre;
 using namespace nacre::test;
 
 namespace {
+
+using std::numbers::pi;
 
 Design coupled(Design design) {
     design.diffuse = CoupledDiffuse{};
@@ -172,22 +175,21 @@ TEST_CASE("a white furnace closes over the float tables") {
         const auto tables = bake(design, {.quality = Quality::draft});
         const Shading<double>& shading = tables->shading;
         // (1/pi) integral of total albedo cos dk; the diffuse part integrates to (1 - R) only if c is that of
-        // the very interpolant. A midpoint rule in sin^2 and azimuth, refined until it settles.
+        // the very interpolant. A midpoint rule in theta and azimuth.
         auto furnace = [&](int polar, int azimuths) {
             double outgoing = 0, share = 0;
             for (int i = 0; i < polar; ++i)
                 for (int j = 0; j < azimuths; ++j) {
-                    const double u = (i + 0.5) / polar, theta = 0.5 * 3.14159265358979323846 * u;
+                    const double u = (i + 0.5) / polar, theta = 0.5 * pi * u;
                     const double s = std::sin(theta), c = std::cos(theta);
-                    const double phi = 2 * 3.14159265358979323846 * (j + 0.5) / azimuths;
+                    const double phi = 2 * pi * (j + 0.5) / azimuths;
                     const dvec3 k{s * std::cos(phi), s * std::sin(phi), c};
-                    const double weight = 3.14159265358979323846 / polar / azimuths * s * c;
+                    const double weight = pi / polar / azimuths * s * c;
                     const auto spot = shading.direction(k);
                     outgoing += weight * spot.R.x;
                     share += weight * shading.diffuse_share(spot).x;
                 }
             // Of light 1 from everywhere: R + c (1 - R) integral of (1 - R) cos, averaged.
-            const double pi = 3.14159265358979323846;
             return outgoing + share * (shading.surface.coupling.x * pi * share);
         };
         CHECK(std::fabs(furnace(2000, 1500) - 1) < 1e-6);

@@ -7,6 +7,7 @@
 
 #include "core/bake/bake.h"
 #include "core/measure/extreme_check.h"
+#include "tests/core/copied_tables.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 
@@ -60,17 +61,7 @@ ExtremeCase named_case(const std::string& name) {
 // The case's tables after `change`, which gets a copy of their numbers.
 template <class Change>
 std::shared_ptr<const Tables> spoilt(const ExtremeCase& extreme, const Change& change) {
-    const auto good = bake(extreme.design, {.albedo = true});
-    const auto tables = std::make_shared<Tables>();
-    tables->plan = good->plan;
-    tables->distribution = good->distribution;
-    tables->data = good->data;
-    tables->shading = good->shading;
-    tables->shading.data = tables->data.data();
-    tables->mean = good->mean;
-    tables->mean_albedo = good->mean_albedo;
-    tables->tolerance = good->tolerance;
-    tables->errors = good->errors;
+    const auto tables = copy_of(*bake(extreme.design, {.albedo = true}));
     change(*tables);
     return tables;
 }
