@@ -10,7 +10,7 @@ namespace {
 
 // Directions between nodes: three a cell up to this many, then a third as many as there are cells, strewn
 // evenly.
-constexpr int between_most = 768;
+constexpr int final_between = 768, draft_between = 192;
 
 // Samples whose neighbours are looked at.
 constexpr std::size_t worst_looked_at = 12;
@@ -18,16 +18,15 @@ constexpr std::size_t worst_looked_at = 12;
 // Beyond those between nodes.
 constexpr int grazing_samples = 96;
 
-bool all_measured(const TableCells& cells) { return cells.flat() || 3 * cells.count() <= between_most; }
-
 }  // namespace
 
 AreaTable::AreaTable(std::shared_ptr<const FacetDistribution> distribution,
-                     const DistributionSymmetry& symmetry, const TableSize& nodes, bool without_moment,
-                     Workers& workers)
+                     const DistributionSymmetry& symmetry, TableNodes nodes, bool without_moment,
+                     Quality quality, Workers& workers)
     : distribution_(std::move(distribution)),
       nodes_(nodes),
-      grid_(std::make_shared<const StretchedGrid>(*distribution_, symmetry, nodes.psi, without_moment)) {
+      between_most_(quality == Quality::draft ? draft_between : final_between),
+      grid_(std::make_shared<const StretchedGrid>(*distribution_, symmetry, nodes.azimuth, without_moment)) {
     sample_nodes_and_between(workers);
     fill();
     sample_near_worst(workers);
@@ -37,6 +36,7 @@ AreaTable::AreaTable(const AreaTable& before, std::shared_ptr<const FacetDistrib
                      const std::vector<std::vector<Facet>>& changes, Workers& workers)
     : distribution_(std::move(distribution)),
       nodes_(before.nodes_),
+      between_most_(before.between_most_),
       grid_(before.grid_),
       samples_(before.samples_),
       areas_(before.areas_) {
@@ -56,14 +56,13 @@ AreaTable::AreaTable(const AreaTable& before, std::shared_ptr<const FacetDistrib
 
 void AreaTable::sample_nodes_and_between(Workers& workers) {
     std::vector<Sample> samples;
-    for (int row = 0; row < nodes_.psi; ++row)
-        for (int column = 0; column < nodes_.w; ++column)
+    for (int row = 0; row < nodes_.azimuth; ++row)
+        for (int column = 0; column < nodes_.polar; ++column)
             samples.push_back(
                 sample_at({static_cast<double>(column), static_cast<double>(row), TablePlace::node}));
     const TableCells cells = this->cells();
-    const bool all = all_measured(cells);
     for (const TablePoint& point :
-         all ? cells.every_place() : cells.strewn(std::max(between_most, cells.count() / 3)))
+         all_measured() ? cells.every_place() : cells.strewn(std::max(between_most_, cells.count() / 3)))
         samples.push_back(sample_at(point));
     for (const TablePoint& point : cells.grazing(grazing_samples)) samples.push_back(sample_at(point));
     add_samples(std::move(samples), workers);
@@ -72,8 +71,8 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
 // The strewn directions may miss the worst, which sits in few cells where p has a narrow feature: the
 // neighbours of those that err most are looked at too.
 void AreaTable::sample_near_worst(Workers& workers) {
+    if (all_measured()) return;
     const TableCells cells = this->cells();
-    if (all_measured(cells)) return;
     const Shading<double> shading = this->shading({});
     std::vector<std::pair<double, std::size_t>> errors;
     for (std::size_t i = node_count(); i < samples_->size(); ++i)
@@ -92,14 +91,16 @@ void AreaTable::sample_near_worst(Workers& workers) {
     add_samples(std::move(samples), workers);
 }
 
-TableCells AreaTable::cells() const { return {{nodes_.w, nodes_.psi}, grid_->symmetry()}; }
+TableCells AreaTable::cells() const { return {nodes_, grid_->symmetry()}; }
+
+bool AreaTable::all_measured() const { return cells().flat() || 3 * cells().count() <= between_most_; }
 
 std::size_t AreaTable::node_count() const {
-    return static_cast<std::size_t>(nodes_.psi) * static_cast<std::size_t>(nodes_.w);
+    return static_cast<std::size_t>(nodes_.azimuth) * static_cast<std::size_t>(nodes_.polar);
 }
 
 AreaTable::Sample AreaTable::sample_at(const TablePoint& point) const {
-    return {grid_->area_direction(point.column / (nodes_.w - 1), point.row), point};
+    return {grid_->area_direction(point.column / (nodes_.polar - 1), point.row), point};
 }
 
 void AreaTable::add_samples(std::vector<Sample> added, Workers& workers) {
@@ -137,7 +138,7 @@ Shading<double> AreaTable::shading(const Shading<double>& material) const {
     Shading<double> result = material;
     auto& shape = result.surface.tables;
     shape = grid_->shape();
-    shape.nodes_w = nodes_.w;
+    shape.nodes_w = nodes_.polar;
     shape.area_offset = 0;
     result.data = data_.data();
     return result;

@@ -14,10 +14,10 @@ namespace nacre {
 
 class AreaTable {
   public:
-    // g at every node and at the directions between them by which it is measured.
-    // nodes: w and psi. without_moment: see `moment` in tables.glsl.
+    // g at every node and at the directions between them by which it is measured, fewer of them for a draft.
+    // without_moment: see `moment` in tables.glsl.
     AreaTable(std::shared_ptr<const FacetDistribution> distribution, const DistributionSymmetry& symmetry,
-              const TableSize& nodes, bool without_moment, Workers& workers);
+              TableNodes nodes, bool without_moment, Quality quality, Workers& workers);
 
     // The table of a distribution that has the same lobes in the same places: other weights, and in each lobe
     // that a brush has touched `changes`, the facets that were added (empty for all others). g is linear in
@@ -32,7 +32,6 @@ class AreaTable {
     // Relative error between nodes under the material's clamp and N: see area_error().
     AxisError measure(const Shading<double>& material) const;
 
-    const TableSize& nodes() const { return nodes_; }
     const StretchedGrid& grid() const { return *grid_; }
     const std::shared_ptr<const FacetDistribution>& distribution() const { return distribution_; }
 
@@ -53,10 +52,12 @@ class AreaTable {
     void fill();
     double area_at(std::size_t index) const;
     TableCells cells() const;
+    bool all_measured() const;
     std::size_t node_count() const;
 
     std::shared_ptr<const FacetDistribution> distribution_;
-    TableSize nodes_;
+    TableNodes nodes_;
+    int between_most_;  // directions between nodes, see area_table.cpp
     std::shared_ptr<const StretchedGrid> grid_;
     std::shared_ptr<const std::vector<Sample>> samples_;  // the nodes row by row, then what lies between
     std::vector<double> areas_;  // of each sample each lobe's own g, before its scale

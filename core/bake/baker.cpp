@@ -17,13 +17,16 @@ namespace {
 constexpr double area_part = 0.75, albedo_part = 0.8;
 
 // Floats of all tables of a design, 64 KiB, and what of them g may take.
-constexpr int floats_most = 16384, area_floats_most = 9216;
+constexpr int floats_most = 16384, area_floats_most = 7424;
 
 // Directions by which R is measured.
 constexpr int final_probes = 160, draft_probes = 16;
 
 // From here on the form of g that leaves out the moment is tried too.
 constexpr double strong_lean = 0.15;
+
+// The error of g that is good enough for a draft of a p that leans.
+constexpr double draft_enough = 0.02;
 
 // A draft's grid is fitted anew when the error of g has grown so much since.
 constexpr double outgrown = 2, outgrown_least = 5e-3;
@@ -130,24 +133,30 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
     if (sum_area(made, now, material, workers)) return;
     area_origin_ = TableOrigin::baked;
     const Symmetry symmetry = made.plan.symmetry.symmetry;
-    const bool fixed = made.options.quality == Quality::draft || made.options.size.has_value();
+    const bool draft = made.options.quality == Quality::draft, fixed = draft || made.options.size.has_value();
     const double target =
         fixed ? std::numeric_limits<double>::infinity() : area_part * made.options.tolerance;
+    const TableNodes first{made.plan.nodes.w, made.plan.nodes.psi};
+    auto make = [&](TableNodes nodes, bool without_moment) {
+        Fitted<AreaTable> result;
+        result.nodes = nodes;
+        result.table = std::make_shared<const AreaTable>(now.distribution, made.plan.symmetry, nodes,
+                                                         without_moment, made.options.quality, workers);
+        result.error = result.table->measure(material);
+        return result;
+    };
     auto fit = [&](bool without_moment) {
-        return fit_table({made.plan.nodes.w, made.plan.nodes.psi}, symmetry, target,
-                         fixed ? 0 : area_floats_most, [&](TableNodes nodes) {
-                             Fitted<AreaTable> result;
-                             result.nodes = nodes;
-                             result.table = std::make_shared<const AreaTable>(
-                                 now.distribution, made.plan.symmetry,
-                                 TableSize{nodes.polar, nodes.azimuth, 0, 0}, without_moment, workers);
-                             result.error = result.table->measure(material);
-                             return result;
-                         });
+        return fit_table(first, symmetry, target, fixed ? 0 : area_floats_most,
+                         [&](TableNodes nodes) { return make(nodes, without_moment); });
     };
     Fitted<AreaTable> fitted = fit(false);
     const double leaning = lean_of(*now.distribution);
-    if (leaning > strong_lean || (leaning > 0 && fitted.error.all.worst > target)) {
+    const bool missed = fitted.error.all.worst > (draft ? draft_enough : fixed ? 0 : target);
+    // Where the first form serves, the other is only fitted if its smallest table errs half as much.
+    auto promising = [&] {
+        return !fixed && make(first, true).error.all.worst < 0.5 * fitted.tried.front().worst;
+    };
+    if (leaning > (missed && !fixed ? 0 : strong_lean) && (missed || promising())) {
         const Fitted<AreaTable> other = fit(true);
         if (better(other, fitted, target)) fitted = other;
     }
@@ -164,7 +173,7 @@ void Baker::make_albedo(Kept& made, const Shading<double>& material, Workers& wo
     const double never = std::numeric_limits<double>::infinity();
     const double tolerance = made.options.tolerance;
     const bool draft = made.options.quality == Quality::draft, fixed = draft || made.options.size.has_value();
-    const AlbedoEffort effort = draft ? AlbedoEffort{never, 0.3 * tolerance, draft_probes}
+    const AlbedoEffort effort = draft ? AlbedoEffort{never, tolerance, draft_probes}
                                       : AlbedoEffort{0.3 * tolerance, 0.1 * tolerance, final_probes};
     const double target =
         fixed ? never

@@ -6,9 +6,10 @@
 namespace nacre {
 namespace {
 
-// Cells along an axis, each some half more than the last; multiples of four, so that a full turn's rows stand
-// on every quarter.
-constexpr std::array<int, 14> steps = {8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768};
+// Cells along an axis, each a fifth or so more than the last; multiples of four, so that a full turn's rows
+// stand on every quarter.
+constexpr std::array<int, 26> steps = {8,  12, 16,  20,  24,  28,  32,  40,  48,  56,  64,  72,  80,
+                                       88, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 768};
 
 // Rows for so many cells: a full turn closes on its first row.
 int rows(int cells, Symmetry symmetry) {
@@ -63,15 +64,6 @@ TableNodes better_nodes(TableNodes now, Symmetry symmetry, double error_polar, d
         }
     }
     return best;
-}
-
-TableNodes more_azimuths(TableNodes now, Symmetry symmetry, int limit) {
-    if (symmetry == Symmetry::isotropic) return now;
-    const int azimuths = rows(2 * azimuth_cells(now.azimuth, symmetry), symmetry);
-    TableNodes more = now;
-    for (const int polar : steps)
-        if (polar < now.polar && (polar + 1) * azimuths <= limit) more = {polar + 1, azimuths};
-    return more;
 }
 
 }  // namespace nacre

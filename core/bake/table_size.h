@@ -35,8 +35,4 @@ struct TableNodes {
 TableNodes better_nodes(TableNodes now, Symmetry symmetry, double error_polar, double error_azimuth,
                         double target, int limit);
 
-// About twice the azimuths, and fewer nodes along theta where the limit wants it; `now` where there is no
-// room.
-TableNodes more_azimuths(TableNodes now, Symmetry symmetry, int limit);
-
 }  // namespace nacre

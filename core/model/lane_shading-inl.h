@@ -67,8 +67,9 @@ struct LaneReals {
     HWY_ATTR friend LaneReals abs(LaneReals a) { return LaneReals(hn::Abs(a.v)); }
     HWY_ATTR friend LaneReals sqrt(LaneReals a) { return LaneReals(hn::Sqrt(a.v)); }
     HWY_ATTR friend LaneReals exp(LaneReals a) { return LaneReals(hn::Exp(D(), a.v)); }
-    HWY_ATTR friend LaneReals min(LaneReals a, LaneReals b) { return LaneReals(hn::Min(a.v, b.v)); }
-    HWY_ATTR friend LaneReals max(LaneReals a, LaneReals b) { return LaneReals(hn::Max(a.v, b.v)); }
+    // Turned round, so that an `a` that is no number stays none, as glm has it.
+    HWY_ATTR friend LaneReals min(LaneReals a, LaneReals b) { return LaneReals(hn::Min(b.v, a.v)); }
+    HWY_ATTR friend LaneReals max(LaneReals a, LaneReals b) { return LaneReals(hn::Max(b.v, a.v)); }
     HWY_ATTR friend LaneReals clamp(LaneReals a, LaneReals low, LaneReals high) {
         return min(max(a, low), high);
     }

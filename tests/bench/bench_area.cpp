@@ -48,12 +48,12 @@ void add_dab(Report& report) {
     const std::string what = "g of painted 512, 33 x 64 nodes: a dab of 16 x 16 against all of it";
     add_benchmark(what, 25, [=, &report](benchmark::State& state) {
         Workers workers(0);
-        const TableSize nodes{33, 64, 0, 0};
+        const TableNodes nodes{33, 64};
         const Design before = painted(side), after = dabbed();
         const Layer& layer = after.distribution.layers[0];
         auto anew = [&](const Design& design) {
             return AreaTable(std::make_shared<const FacetDistribution>(design.distribution), {}, nodes, false,
-                             workers);
+                             Quality::draft, workers);
         };
         const AreaTable table = anew(before);
         const LobeModel& lobe = *table.distribution()->lobes()[0].lobe;
