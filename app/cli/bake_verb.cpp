@@ -1,6 +1,5 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/bake_options.h"
@@ -68,19 +67,18 @@ int bake_to_folder(const BakeVerbOptions& options, Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_bake(CLI::App& command, Action& action) {
+void declare_bake(Command& command, Action& action) {
     const auto options = std::make_shared<BakeVerbOptions>();
-    command.add_option("DESIGN", options->design, "a .nacre file")->required();
+    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.option("-o,--output", options->folder, "the folder for the tables, made when it is not there")
+        .required();
     command
-        .add_option("-o,--output", options->folder, "the folder for the tables, made when it is not there")
-        ->required();
-    command
-        .add_option("--threads", options->bake.threads,
-                    "at most this many (default: all); the tables do not depend on it")
-        ->check(CLI::Range(1, 1024));
+        .option("--threads", options->bake.threads,
+                "at most this many (default: all); the tables do not depend on it")
+        .within(1, 1024);
     add_tolerance_option(command, options->bake);
-    command.add_flag("--json", options->json, "times, sizes and measured errors as JSON");
-    command.callback([options, &action] {
+    command.flag("--json", options->json, "times, sizes and measured errors as JSON");
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return bake_to_folder(*options, interrupt); };
     });
 }

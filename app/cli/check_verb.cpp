@@ -1,6 +1,5 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/design_input.h"
@@ -76,20 +75,20 @@ int check(const CheckOptions& options, const Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_check(CLI::App& command, Action& action) {
+void declare_check(Command& command, Action& action) {
     const auto options = std::make_shared<CheckOptions>();
-    auto* const design = command.add_option("DESIGN", options->design, "a .nacre file");
-    command.add_flag("--json", options->json, "the figures as JSON");
-    auto* const extremes =
-        command.add_flag("--extremes", options->extremes, "a sweep of extreme designs in place of DESIGN");
-    extremes->excludes(design);
-    command.add_option("--group", options->group, "only this group of the sweep")
-        ->needs(extremes)
-        ->check(known_group);
-    command.add_flag("--markdown", options->markdown, "the sweep as the tables of docs/stability.md")
-        ->needs(extremes);
-    command.callback([options, &action] {
-        if (options->design.empty() && !options->extremes) throw CLI::RequiredError("DESIGN or --extremes");
+    const auto design = command.option("DESIGN", options->design, "a .nacre file");
+    command.flag("--json", options->json, "the figures as JSON");
+    const auto extremes =
+        command.flag("--extremes", options->extremes, "a sweep of extreme designs in place of DESIGN");
+    extremes.excludes(design);
+    command.option("--group", options->group, "only this group of the sweep")
+        .needs(extremes)
+        .check(known_group);
+    command.flag("--markdown", options->markdown, "the sweep as the tables of docs/stability.md")
+        .needs(extremes);
+    command.when_chosen([options, &action] {
+        if (options->design.empty() && !options->extremes) throw_missing("DESIGN or --extremes");
         action = [options](Interrupt& interrupt) {
             if (!options->extremes) return check(*options, interrupt);
             return sweep_extremes(options->group, options->sweep_format(), interrupt);

@@ -1,6 +1,6 @@
 #include "app/cli/direction_lines.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

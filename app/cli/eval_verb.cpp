@@ -1,6 +1,5 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <iterator>
 #include <map>
 
@@ -91,18 +90,16 @@ int eval(const EvalOptions& options, const Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_eval(CLI::App& command, Action& action) {
+void declare_eval(Command& command, Action& action) {
     const auto options = std::make_shared<EvalOptions>();
-    command.add_option("DESIGN", options->design, "a .nacre file")->required();
-    command.add_option("--term", options->term, "specular, diffuse or total (default total)")
-        ->check(known_term);
-    command.add_flag("--exact", options->exact,
-                     "adaptive integration in double in place of tables; 17 digits");
+    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.option("--term", options->term, "specular, diffuse or total (default total)").check(known_term);
+    command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
     add_tolerance_option(command, options->bake);
     command.footer(
         "Reads lines `k1x k1y k1z k2x k2y k2z` (z = normal; any length but 0; # begins a comment line).\n"
         "Prints for each `r g b`, the BRDF in 1/sr; 0 0 0 where either is not above the horizon.");
-    command.callback([options, &action] {
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return eval(*options, interrupt); };
     });
 }

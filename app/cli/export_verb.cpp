@@ -1,6 +1,5 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <stdexcept>
 
@@ -68,17 +67,16 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_export(CLI::App& command, Action& action) {
+void declare_export(Command& command, Action& action) {
     const auto options = std::make_shared<ExportOptions>();
-    auto* const list = command.add_flag("--list", options->list, "the formats there are");
-    auto* const design = command.add_option("DESIGN", options->design, "a .nacre file");
-    auto* const format = command.add_option("--to", options->format, "a format of --list");
-    auto* const output = command.add_option("-o,--output", options->output, "the file or folder to write");
+    const auto list = command.flag("--list", options->list, "the formats there are");
+    const auto design = command.option("DESIGN", options->design, "a .nacre file");
+    const auto format = command.option("--to", options->format, "a format of --list");
+    const auto output = command.option("-o,--output", options->output, "the file or folder to write");
     add_tolerance_option(command, options->bake);
-    command.callback([=, &action] {
-        if (list->count() == 0)
-            for (const CLI::Option* needed : {design, format, output})
-                if (needed->count() == 0) throw CLI::RequiredError(needed->get_name());
+    command.when_chosen([=, &action] {
+        if (!list.given())
+            for (const Option needed : {design, format, output}) needed.demand();
         action = [options](Interrupt& interrupt) { return export_design(*options, interrupt); };
     });
 }

@@ -1,6 +1,5 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -88,15 +87,14 @@ int gallery(const GalleryOptions& options, Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_gallery(CLI::App& command, Action& action) {
+void declare_gallery(Command& command, Action& action) {
     const auto options = std::make_shared<GalleryOptions>();
-    command.add_option("DIR", options->designs, "a folder of .nacre files")->required();
-    command
-        .add_option("-o,--output", options->output, "the folder for the pictures, made when it is not there")
-        ->required();
+    command.option("DIR", options->designs, "a folder of .nacre files").required();
+    command.option("-o,--output", options->output, "the folder for the pictures, made when it is not there")
+        .required();
     add_size_option(command, options->size, 16);
     add_scene_options(command, options->scene);
-    command.callback([options, &action] {
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return gallery(*options, interrupt); };
     });
 }

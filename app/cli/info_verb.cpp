@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -161,12 +160,12 @@ int info(const InfoOptions& options, const Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_info(CLI::App& command, Action& action) {
+void declare_info(Command& command, Action& action) {
     const auto options = std::make_shared<InfoOptions>();
-    command.add_option("DESIGN", options->design, "a .nacre file")->required();
+    command.option("DESIGN", options->design, "a .nacre file").required();
     add_tolerance_option(command, options->bake);
-    command.add_flag("--json", options->json, "the same as JSON");
-    command.callback([options, &action] {
+    command.flag("--json", options->json, "the same as JSON");
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return info(*options, interrupt); };
     });
 }

@@ -1,6 +1,6 @@
 #include "app/cli/line_source.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>

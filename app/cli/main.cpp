@@ -1,5 +1,5 @@
 // nacre-cli VERB ...
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/cli/command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
@@ -54,7 +55,7 @@ void declare_all(CLI::App& app, cli::Action& action) {
         "nacre-cli VERB --help tells a verb's own options. Exit codes: 0 done, 1 it could not be done or a\n"
         "check failed, 2 wrong usage. Angles in degrees, theta from the normal, phi from the tangent.");
     for (const cli::Verb& verb : cli::verbs()) {
-        CLI::App& command = *app.add_subcommand(verb.name, verb.about);
+        cli::Command command(*app.add_subcommand(verb.name, verb.about));
         verb.declare(command, action);
     }
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 
@@ -24,28 +23,12 @@ bool parse_size(std::string_view text, int smallest, glm::ivec2& size) {
            parse_side(text.substr(cross + 1), smallest, size.y);
 }
 
-CLI::Validator finite_within(double low, double high) {
-    return CLI::Validator(
-        [=](std::string& text) {
-            double value = 0;
-            const bool within = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-            return within ? std::string() : fmt::format("{} is no number from {} to {}", text, low, high);
-        },
-        "");
-}
-
 }  // namespace
 
-void add_size_option(CLI::App& command, glm::ivec2& size, int smallest) {
+void add_size_option(Command& command, glm::ivec2& size, int smallest) {
     const std::string allowed = fmt::format("must be WIDTHxHEIGHT, {} to {} pixels each", smallest, size_max);
-    command
-        .add_option_function<std::string>(
-            "--size",
-            [=, &size](const std::string& text) {
-                if (!parse_size(text, smallest, size)) throw CLI::ValidationError("--size", allowed);
-            },
-            fmt::format("pixels (default {}x{})", size.x, size.y))
-        ->type_name("WxH");
+    command.option_read_by([=, &size](const std::string& text) { return parse_size(text, smallest, size); },
+                           "--size", "WxH", allowed, fmt::format("pixels (default {}x{})", size.x, size.y));
 }
 
 Scene SceneOptions::scene() const {
@@ -58,19 +41,17 @@ Scene SceneOptions::scene() const {
     return scene;
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
+void add_scene_options(Command& command, SceneOptions& options) {
     command
-        .add_option("--scene", options.name,
-                    fmt::format("{} (default {})", fmt::join(scene_names(), ", "), options.name))
-        ->check(CLI::IsMember(scene_names()));
+        .option("--scene", options.name,
+                fmt::format("{} (default {})", fmt::join(scene_names(), ", "), options.name))
+        .one_of(scene_names());
     command
-        .add_option("--light", options.light,
-                    "where the light stands, degrees: theta from the viewer, phi from right toward up")
-        ->delimiter(',')
-        ->expected(2)
-        ->type_name("THETA,PHI")
-        ->check(finite_within(-360, 360));
-    command.add_option("--exposure", options.exposure, "EV (default 0)")->check(finite_within(-20, 20));
+        .option("--light", options.light,
+                "where the light stands, degrees: theta from the viewer, phi from right toward up")
+        .pair("THETA,PHI")
+        .finite_within(-360, 360);
+    command.option("--exposure", options.exposure, "EV (default 0)").finite_within(-20, 20);
 }
 
 }  // namespace nacre::cli

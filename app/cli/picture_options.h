@@ -4,16 +4,13 @@
 #include <glm/vec2.hpp>
 #include <string>
 
+#include "app/cli/command.h"
 #include "app/preview/scene.h"
-
-namespace CLI {
-class App;
-}
 
 namespace nacre::cli {
 
 // --size WxH, pixels.
-void add_size_option(CLI::App& command, glm::ivec2& size, int smallest);
+void add_size_option(Command& command, glm::ivec2& size, int smallest);
 
 // --scene NAME, --light THETA,PHI and --exposure EV.
 struct SceneOptions {
@@ -24,6 +21,6 @@ struct SceneOptions {
     Scene scene() const;
 };
 
-void add_scene_options(CLI::App& command, SceneOptions& options);
+void add_scene_options(Command& command, SceneOptions& options);
 
 }  // namespace nacre::cli

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <stdexcept>
 
 #include "app/cli/design_input.h"
@@ -41,15 +40,15 @@ int render(const RenderOptions& options, Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_render(CLI::App& command, Action& action) {
+void declare_render(Command& command, Action& action) {
     const auto options = std::make_shared<RenderOptions>();
-    command.add_option("DESIGN", options->design, "a .nacre file")->required();
-    command.add_option("-o,--output", options->image, "a .png (filmic, sRGB) or .exr (linear radiance) file")
-        ->required();
+    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.option("-o,--output", options->image, "a .png (filmic, sRGB) or .exr (linear radiance) file")
+        .required();
     add_size_option(command, options->size, 16);
     add_scene_options(command, options->scene);
-    command.add_option("--compare", options->compare, "another model beside it; not in this version");
-    command.callback([options, &action] {
+    command.option("--compare", options->compare, "another model beside it; not in this version");
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return render(*options, interrupt); };
     });
 }

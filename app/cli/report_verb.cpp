@@ -1,6 +1,5 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <system_error>
 
@@ -104,19 +103,18 @@ int report(const ReportOptions& options, Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_report(CLI::App& command, Action& action) {
+void declare_report(Command& command, Action& action) {
     const auto options = std::make_shared<ReportOptions>();
-    command.add_option("DESIGN", options->designs, ".nacre files; each takes up to a minute")->required();
+    command.option("DESIGN", options->designs, ".nacre files; each takes up to a minute").required();
+    command.option("-o,--output", options->folder, "the folder for the report, made when it is not there")
+        .required();
     command
-        .add_option("-o,--output", options->folder, "the folder for the report, made when it is not there")
-        ->required();
-    command
-        .add_option(
+        .option(
             "--longest", options->longest,
             "seconds: no way of computing goes on to more nodes or samples after a table that took longer")
-        ->capture_default_str()
-        ->check(CLI::Range(1e-6, 60.0));
-    command.callback([options, &action] {
+        .shows_default()
+        .within(1e-6, 60.0);
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return report(*options, interrupt); };
     });
 }

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "app/cli/picture_options.h"
 #include "app/cli/verbs.h"
@@ -30,15 +29,14 @@ int take_screenshot(const ScreenshotVerbOptions& options, Interrupt& interrupt) 
 
 }  // namespace
 
-void declare_screenshot(CLI::App& command, Action& action) {
+void declare_screenshot(Command& command, Action& action) {
     const auto options = std::make_shared<ScreenshotVerbOptions>();
-    command.add_option("DESIGN", options->design, "a .nacre file; without it, a new design");
-    command.add_option("-o,--output", options->image, "a .png file")->required();
+    command.option("DESIGN", options->design, "a .nacre file; without it, a new design");
+    command.option("-o,--output", options->image, "a .png file").required();
     add_size_option(command, options->size, 200);
-    command.add_option("--script", options->script, "input events to play first, one a line");
-    command.add_option("--ui-scale", options->ui_scale, "size of text and widgets; 1 is normal")
-        ->check(CLI::Range(0.5, 4.0));
-    command.callback([options, &action] {
+    command.option("--script", options->script, "input events to play first, one a line");
+    command.option("--ui-scale", options->ui_scale, "size of text and widgets; 1 is normal").within(0.5, 4.0);
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return take_screenshot(*options, interrupt); };
     });
 }

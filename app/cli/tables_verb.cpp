@@ -1,6 +1,5 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iterator>
 
@@ -99,18 +98,17 @@ int tables(const TablesOptions& options, const Interrupt& interrupt) {
 
 }  // namespace
 
-void declare_tables(CLI::App& command, Action& action) {
+void declare_tables(Command& command, Action& action) {
     const auto options = std::make_shared<TablesOptions>();
-    command.add_option("DESIGN", options->design, "a .nacre file")->required();
-    command.add_flag("--exact", options->exact,
-                     "adaptive integration in double in place of tables; 17 digits");
+    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
     add_tolerance_option(command, options->bake);
     command.footer(
         "Reads lines `kx ky kz` (z = normal; any length but 0; # begins a comment line). Prints for each\n"
         "`g P R0 R1`: the projected area of p normalised to 1, the visibility, and the directional albedo\n"
         "for f0 = 0 and f0 = 1. The tables hold the upper hemisphere; below the horizon g is computed from\n"
         "p itself, and P, R0 and R1 are 0.");
-    command.callback([options, &action] {
+    command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return tables(*options, interrupt); };
     });
 }

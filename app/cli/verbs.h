@@ -4,11 +4,8 @@
 #include <functional>
 #include <span>
 
+#include "app/cli/command.h"
 #include "app/cli/interrupt.h"
-
-namespace CLI {
-class App;
-}
 
 namespace nacre::cli {
 
@@ -19,21 +16,21 @@ struct Verb {
     const char* name;
     const char* about;
     // Adds the verb's options to `command`; when it is chosen, `action` becomes its work.
-    void (*declare)(CLI::App& command, Action& action);
+    void (*declare)(Command& command, Action& action);
 };
 
 std::span<const Verb> verbs();
 
-void declare_info(CLI::App& command, Action& action);
-void declare_eval(CLI::App& command, Action& action);
-void declare_tables(CLI::App& command, Action& action);
-void declare_bake(CLI::App& command, Action& action);
-void declare_render(CLI::App& command, Action& action);
-void declare_screenshot(CLI::App& command, Action& action);
-void declare_check(CLI::App& command, Action& action);
-void declare_report(CLI::App& command, Action& action);
-void declare_export(CLI::App& command, Action& action);
-void declare_gallery(CLI::App& command, Action& action);
-void declare_unarrived(CLI::App& command, Action& action);
+void declare_info(Command& command, Action& action);
+void declare_eval(Command& command, Action& action);
+void declare_tables(Command& command, Action& action);
+void declare_bake(Command& command, Action& action);
+void declare_render(Command& command, Action& action);
+void declare_screenshot(Command& command, Action& action);
+void declare_check(Command& command, Action& action);
+void declare_report(Command& command, Action& action);
+void declare_export(Command& command, Action& action);
+void declare_gallery(Command& command, Action& action);
+void declare_unarrived(Command& command, Action& action);
 
 }  // namespace nacre::cli

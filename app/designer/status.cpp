@@ -1,6 +1,6 @@
 #include "app/designer/status.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace nacre {
 namespace {

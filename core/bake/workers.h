@@ -1,13 +1,12 @@
 // The threads of one bake.
 #pragma once
 
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <stop_token>
+#include <type_traits>
 #include <utility>
 
 namespace nacre {
@@ -19,10 +18,10 @@ struct BakeCancelled : std::runtime_error {
 class Workers {
   public:
     // threads = 0, or more than the machine has: as many as it has.
-    explicit Workers(int threads, std::stop_token stop = {})
-        : stop_(std::move(stop)),
-          arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency())
-                             : tbb::task_arena::automatic) {}
+    explicit Workers(int threads, std::stop_token stop = {});
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
 
     void check() const {
         if (stop_.stop_requested()) throw BakeCancelled();
@@ -31,23 +30,20 @@ class Workers {
     // Runs `work`, so that what it starts in parallel keeps to these threads.
     template <class Work>
     auto run(const Work& work) {
-        return arena_.execute(work);
+        std::optional<std::invoke_result_t<const Work&>> result;
+        execute([&] { result.emplace(work()); });
+        return *std::move(result);
     }
 
     // Calls visit(i) for every i below `count`; results must not depend on order. Throws BakeCancelled.
-    template <class Visit>
-    void for_each(int count, const Visit& visit) {
-        arena_.execute([&] {
-            tbb::parallel_for(0, count, [&](int i) {
-                if (!stop_.stop_requested()) visit(i);
-            });
-        });
-        check();
-    }
+    void for_each(int count, const std::function<void(int)>& visit);
 
   private:
+    void execute(const std::function<void()>& work);
+
+    struct Arena;  // oneTBB's, whose headers everything that can bake would read
     std::stop_token stop_;
-    tbb::task_arena arena_;
+    std::unique_ptr<Arena> arena_;
 };
 
 }  // namespace nacre

@@ -1,6 +1,6 @@
 #include "core/design/design_check.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

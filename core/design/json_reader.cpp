@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/design/error.h"
 #include "core/design/json_text.h"
@@ -68,6 +69,10 @@ bool JsonValue::flag() const {
     if (!json_->is_boolean()) fail("must be true or false");
     return json_->get<bool>();
 }
+
+bool JsonValue::is_text() const { return json_->is_string(); }
+
+bool JsonValue::is_object() const { return json_->is_object(); }
 
 std::string JsonValue::text() const {
     if (!json_->is_string()) fail("must be a text");

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,8 +32,8 @@ class JsonValue {
     std::vector<JsonValue> elements(std::string_view expected) const;
     std::vector<float> floats(std::size_t count) const;  // all >= 0
 
-    bool is_text() const { return json_->is_string(); }
-    bool is_object() const { return json_->is_object(); }
+    bool is_text() const;
+    bool is_object() const;
     const std::string& path() const { return path_; }
     const std::string& file() const { return *file_; }
 

@@ -2,7 +2,7 @@
 // that overflow, nesting and sizes that no design has.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 

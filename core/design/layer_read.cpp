@@ -1,6 +1,6 @@
 #include "core/design/layer_read.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/design/design_names.h"
 #include "core/exchange/picture.h"

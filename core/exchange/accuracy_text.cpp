@@ -1,6 +1,6 @@
 #include "core/exchange/accuracy_text.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/exchange/glsl_export.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <regex>
 #include <set>

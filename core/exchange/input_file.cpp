@@ -1,6 +1,6 @@
 #include "core/exchange/input_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cerrno>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "core/exchange/png_chunks.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/exchange/shader_size.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "core/exchange/shader_variant.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cassert>
 

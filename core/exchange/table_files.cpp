@@ -1,6 +1,6 @@
 #include "core/exchange/table_files.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <span>
 #include <system_error>

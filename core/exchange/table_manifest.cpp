@@ -1,6 +1,6 @@
 #include "core/exchange/table_manifest.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/measure/adaptive_albedo.h"
 #include "core/measure/bare_surface.h"

@@ -1,6 +1,6 @@
 #include "core/measure/extremes.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/bake/symmetry.h"
 #include "core/measure/harmonic_area.h"

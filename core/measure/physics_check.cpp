@@ -1,6 +1,6 @@
 #include "core/measure/physics_check.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

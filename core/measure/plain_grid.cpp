@@ -1,6 +1,6 @@
 #include "core/measure/plain_grid.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/bake/bake.h"
 #include "core/measure/table_error.h"

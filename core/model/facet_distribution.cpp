@@ -1,6 +1,6 @@
 #include "core/model/facet_distribution.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>

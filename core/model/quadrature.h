@@ -1,10 +1,10 @@
-// Rules of integration.
+// Rules of integration. Boost.Math's tables of nodes stay in quadrature.cpp: most of the program sees this
+// header.
 #pragma once
 
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace nacre {
@@ -14,42 +14,39 @@ struct QuadraturePoint {
     double weight;
 };
 
-// Gauss-Legendre with Points nodes on [0, 1].
+// Gauss-Legendre with Points nodes on [0, 1]; quadrature.cpp lists the numbers of nodes there are.
 template <unsigned Points>
-const std::vector<QuadraturePoint>& gauss_legendre() {
-    static const std::vector<QuadraturePoint> rule = [] {
-        using Gauss = boost::math::quadrature::gauss<double, Points>;
-        std::vector<QuadraturePoint> points;
-        for (std::size_t i = Gauss::abscissa().size(); i-- > 0;)
-            points.push_back({0.5 - 0.5 * Gauss::abscissa()[i], 0.5 * Gauss::weights()[i]});
-        for (std::size_t i = Points % 2; i < Gauss::abscissa().size(); ++i)
-            points.push_back({0.5 + 0.5 * Gauss::abscissa()[i], 0.5 * Gauss::weights()[i]});
-        return points;
-    }();
-    return rule;
-}
+const std::vector<QuadraturePoint>& gauss_legendre();
 
 template <std::size_t Size>
 using Values = std::array<double, Size>;
+
+// The Gauss-Kronrod pair (7, 15) on [-1, 1]: its nodes x >= 0 from the middle out, of which every other one,
+// the middle included, is Gauss's.
+struct GaussKronrod {
+    std::array<double, 8> x;
+    std::array<double, 8> weight;
+    std::array<double, 4> gauss_weight;
+};
+
+const GaussKronrod& gauss_kronrod();
 
 // Adaptive Gauss-Kronrod (7, 15) of a vector-valued f over [a, b]: halves an interval until the two rules
 // agree within `tolerance` (absolute, halved with the interval, every component) or `depth` is used up.
 template <std::size_t Size, class Function>
 Values<Size> integrate_adaptively(const Function& f, double a, double b, double tolerance, int depth) {
-    using Kronrod = boost::math::quadrature::gauss_kronrod<double, 15>;
-    using Gauss = boost::math::quadrature::gauss<double, 7>;
+    const GaussKronrod& rule = gauss_kronrod();
     const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
     Values<Size> fine{}, coarse{};
-    const auto& x = Kronrod::abscissa();
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        Values<Size> sum = f(middle + half * x[i]);
+    for (std::size_t i = 0; i < rule.x.size(); ++i) {
+        Values<Size> sum = f(middle + half * rule.x[i]);
         if (i > 0) {
-            const Values<Size> left = f(middle - half * x[i]);
+            const Values<Size> left = f(middle - half * rule.x[i]);
             for (std::size_t j = 0; j < Size; ++j) sum[j] += left[j];
         }
         for (std::size_t j = 0; j < Size; ++j) {
-            fine[j] += half * Kronrod::weights()[i] * sum[j];
-            if (i % 2 == 0) coarse[j] += half * Gauss::weights()[i / 2] * sum[j];
+            fine[j] += half * rule.weight[i] * sum[j];
+            if (i % 2 == 0) coarse[j] += half * rule.gauss_weight[i / 2] * sum[j];
         }
     }
     double error = 0;

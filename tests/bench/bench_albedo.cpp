@@ -1,7 +1,7 @@
 // R of one direction: the bake's rule against Monte Carlo at an equal error, which is measured against the
 // adaptive reference. Monte Carlo's number of samples follows from its measured variance; one run verifies
 // it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

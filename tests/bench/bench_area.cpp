@@ -1,7 +1,7 @@
 // g of a painted p of 512 x 512 texels: from the raster to the table, and one direction against the plain sum
 // over texels, which is given vectors as wide as the machine has and four
 // directions a pass.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // All tables of a design: drafts and finals, and the paper's way to the same error (a plain grid over theta
 // and phi, filled by Monte Carlo).
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The BRDF of one pair of directions, in float: Nacre's shared mathematics with its tables, against closed
 // forms. "call": one call a pair, as a renderer makes it. "loop": everything inlined into a loop over arrays.
 // "batch": ours evaluates all pairs at once, theirs is the loop, which the compiler may make vectors of.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/bake/brdf_pairs.h"
 #include "core/model/float_shading.h"

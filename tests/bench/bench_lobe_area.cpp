@@ -1,7 +1,7 @@
 // g of analytic lobes: area(), which is exact, against adaptive cubature of eq. 18 over the facets' theta and
 // phi, of which a relative error of 1e-6 is wanted.
 #include <cubature.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Visible facets of one direction, in double and with the same random numbers: Nacre's samplers against
 // spherical caps of GGX.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/bake/brdf.h"
 #include "tests/bench/bench_designs.h"

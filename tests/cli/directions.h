@@ -1,7 +1,7 @@
 // Directions as the lines that nacre-cli reads.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 // The GLSL as a GPU runs it against core: every variant that a preset uses, on 10,000 random pairs of
 // directions.
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

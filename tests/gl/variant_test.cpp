@@ -1,6 +1,6 @@
 // Shader variants as text: each holds only what it needs, and each passes glslangValidator.
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cstdio>
