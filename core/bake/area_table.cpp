@@ -8,12 +8,12 @@
 namespace nacre {
 namespace {
 
-// Directions between nodes: three a cell up to this many, then a third as many as there are cells, strewn
+// Directions between nodes: three a cell up to this many, then as many as there are cells, strewn
 // evenly.
 constexpr int final_between = 768, draft_between = 192;
 
 // Samples whose neighbours are looked at.
-constexpr std::size_t worst_looked_at = 12;
+constexpr std::size_t worst_looked_at = 24;
 
 // Beyond those between nodes.
 constexpr int grazing_samples = 96;
@@ -62,7 +62,7 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
                 sample_at({static_cast<double>(column), static_cast<double>(row), TablePlace::node}));
     const TableCells cells = this->cells();
     for (const TablePoint& point :
-         all_measured() ? cells.every_place() : cells.strewn(std::max(between_most_, cells.count() / 3)))
+         all_measured() ? cells.every_place() : cells.strewn(std::max(between_most_, cells.count())))
         samples.push_back(sample_at(point));
     for (const TablePoint& point : cells.grazing(grazing_samples)) samples.push_back(sample_at(point));
     add_samples(std::move(samples), workers);

@@ -14,7 +14,7 @@ constexpr double infinity = limits::infinity;
 // single texel.
 constexpr double usual_claim = 1.5e-3, leaning_claim = 0.015, texel_claim = 0.05;
 // The same of R: where it turns within the last cell before the horizon, and where it has no bound there.
-constexpr double layer_claim = 0.15, boundless_claim = 1.5;
+constexpr double layer_claim = 0.15, needle_layer_claim = 0.2, boundless_claim = 1.5;
 constexpr const char* no_facets = "the layer holds no facets";
 constexpr const char* faces_down = "the facets must face up on the whole";
 
@@ -134,7 +134,8 @@ void add_mixtures(Cases& cases) {
                          with_layer(of(UniformLobe{}), GaussianLobe{1e-4, 1e-4}, weight)});
     cases.push_back({"mixtures", "haze of weight 1e-06 over a leaning needle",
                      with_layer(of(GaussianLobe{1e-3, 1e-3}, 30), UniformLobe{}, 1e-6)});
-    cases.back().albedo_claim = layer_claim;
+    cases.back().area_claim = leaning_claim;
+    cases.back().albedo_claim = needle_layer_claim;
     Design many = of(GaussianLobe{1e-4, 1e-4});
     for (int i = 1; i < limits::layers_max; ++i) {
         const double width = 1e-4 * std::pow(10, 0.5 * i);

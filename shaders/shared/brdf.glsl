@@ -66,7 +66,7 @@ real visibility(Direction a, Direction b) READS {
         v = bounded_quotient(v, (p1 + p2) - p1 * p2);
     }
 #endif
-    return select(g1 > real(0.0) && g2 > real(0.0), v, real(0.0));
+    return select(g1 <= real(0.0) || g2 <= real(0.0), real(0.0), v);
 }
 
 // rho = p(h) F(k.h) P12 / (4 N c1 c2), 1/sr                                  (eq. 11, 26)
