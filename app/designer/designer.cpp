@@ -29,40 +29,35 @@ void draw_presets(Designer& designer) {
         designer.files.open_preset(designer.document, designer.presets[*clicked].file);
 }
 
-void draw_left(Designer& designer) {
-    if (!ImGui::BeginTabBar("left tabs")) return;
-    const bool layers_open = ImGui::BeginTabItem("Layers");
-    ui::note_item("Layers");
-    if (layers_open) {
-        ImGui::Spacing();
-        ui::layers_panel(designer.layers, designer.document.design.distribution);
-        ImGui::EndTabItem();
-    }
-    const bool presets_open = ImGui::BeginTabItem("Presets");
-    ui::note_item("Presets");
-    if (presets_open) {
-        ImGui::Spacing();
-        draw_presets(designer);
-        ImGui::EndTabItem();
-    }
-    ImGui::EndTabBar();
+void draw_material(Design& design) {
+    ui::text_field("Name##Design name", design.name, "Untitled", "The design's name.");
+    ImGui::Spacing();
+    ui::fresnel_panel(design.fresnel);
+    ImGui::Spacing();
+    ui::diffuse_panel(design.diffuse);
+    ImGui::Spacing();
+    ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
+    ImGui::Spacing();
+    ui::heading("Note");
+    ui::note_field(design.note);
 }
 
-void draw_right(Designer& designer) {
+void draw_panel(Designer& designer) {
     Design& design = designer.document.design;
-    if (ui::section("Material")) {
-        ui::text_field("Name##Design name", design.name, "Untitled", "The design's name.");
+    if (!ImGui::BeginTabBar("tabs")) return;
+    const auto tab = [](const char* label, const auto& contents) {
+        const bool open = ImGui::BeginTabItem(label);
+        ui::note_item(label);
+        if (!open) return;
         ImGui::Spacing();
-        ui::fresnel_panel(design.fresnel);
-        ImGui::Spacing();
-        ui::diffuse_panel(design.diffuse);
-        ImGui::Spacing();
-        ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
-        ImGui::Spacing();
-    }
-    if (ui::section("Light and camera")) scene_panel(designer.scene);
-    ImGui::Spacing();
-    if (ui::section("Note")) ui::note_field(design.note);
+        contents();
+        ImGui::EndTabItem();
+    };
+    tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
+    tab("Material", [&] { draw_material(design); });
+    tab("Light", [&] { scene_panel(designer.scene); });
+    tab("Presets", [&] { draw_presets(designer); });
+    ImGui::EndTabBar();
 }
 
 void draw_status(const Designer& designer) {
@@ -91,9 +86,9 @@ void draw_frame(Designer& designer) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }
-    draw_layout(designer.layout, {.left = [&] { draw_left(designer); },
-                                  .centre = [&] { designer.preview.draw(designer.scene); },
-                                  .right = [&] { draw_right(designer); },
+    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
+                                  .canvas = [&] { designer.canvas.draw(document.design); },
+                                  .preview = [&] { designer.preview.draw(designer.scene); },
                                   .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
 

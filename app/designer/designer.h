@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/designer/bake_job.h"
+#include "app/designer/canvas_pane.h"
 #include "app/designer/document.h"
 #include "app/designer/file_flow.h"
 #include "app/designer/folder.h"
@@ -28,6 +29,7 @@ struct Designer {
     Scene scene;
     BakeJob baker;
     PreviewPane preview;
+    CanvasPane canvas;
     FileFlow files;
     Layout layout;
     ui::LayersView layers;

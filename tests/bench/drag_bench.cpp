@@ -36,8 +36,9 @@ struct Run {
     int finals = 0;
 };
 
-// Moves the pointer to and fro over a slider for some seconds, sixty frames a second at the most.
-Run drag(nacre::Stage& stage, const std::string& slider, double seconds) {
+// Moves the pointer to and fro over a slider of a tab for some seconds, sixty frames a second at the most.
+Run drag(nacre::Stage& stage, const std::string& tab, const std::string& slider, double seconds) {
+    stage.play(nacre::parse_events("click \"" + tab + "\"", tab));
     stage.wait_for_bake();
     const ImVec4 box = stage.items().rectangle(slider).value();
     ImGuiIO& io = ImGui::GetIO();
@@ -81,8 +82,8 @@ void compare(double seconds) {
     stage.designer().document = nacre::Document(anisotropic_design());
     stage.frame();
     stage.frame();
-    print("without bake", drag(stage, "Exposure", seconds));
-    print("with bake", drag(stage, "Width x", seconds));
+    print("without bake", drag(stage, "Light", "Exposure", seconds));
+    print("with bake", drag(stage, "Layers", "Width x", seconds));
 }
 
 }  // namespace

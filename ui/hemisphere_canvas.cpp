@@ -1,0 +1,155 @@
+#include "ui/hemisphere_canvas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/paint/colour_map.h"
+#include "ui/canvas_grid.h"
+#include "ui/canvas_path.h"
+#include "ui/item_map.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+constexpr double zoom_per_notch = 1.15;
+constexpr double degrees_per_pixel = 0.4;
+constexpr int bar_steps = 48;
+
+void view_buttons(CanvasState& state) {
+    HemisphereCamera& camera = state.camera;
+    if (button(camera.dome ? "Dome##Dome" : "Disk##Dome",
+               "Every facet normal, as an equal-area disk seen from above or as a dome that the right button "
+               "turns."))
+        camera = {.dome = !camera.dome, .below = camera.below};
+    ImGui::SameLine();
+    if (button(
+            state.logarithmic ? "Logarithmic##Scale" : "Linear##Scale",
+            "How p becomes brightness: linear, or logarithmic over four decades, which shows the haze around "
+            "a core."))
+        state.logarithmic = !state.logarithmic;
+}
+
+void move_camera(CanvasState& state, const CanvasFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    HemisphereCamera& camera = state.camera;
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+        camera = zoomed(frame.view, frame.pixel(io.MousePos),
+                        std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)));
+    if (!ImGui::IsItemActive()) return;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right) && camera.dome) {
+        camera.yaw =
+            std::remainder(camera.yaw + static_cast<double>(io.MouseDelta.x) * degrees_per_pixel, 360.0);
+        camera.pitch =
+            std::clamp(camera.pitch + static_cast<double>(io.MouseDelta.y) * degrees_per_pixel, 0.0, 90.0);
+    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+        camera = panned(frame.view, {io.MouseDelta.x, io.MouseDelta.y});
+    }
+}
+
+float legend_height() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
+
+void text_at(ImVec2 at, const std::string& text, const Colour& colour) {
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(colour), text.c_str());
+}
+
+std::string readout(const CanvasFrame& frame, const CanvasContents& contents) {
+    if (!frame.cursor) return {};
+    const dvec3 h = *frame.cursor;
+    std::string text = fmt::format("\u03b8 {:.1f}\u00b0   \u03c6 {:.1f}\u00b0", polar_angle(h), azimuth(h));
+    if (contents.p) text += fmt::format("   p {:.3g} /sr", contents.p->density(h));
+    return text;
+}
+
+// The colours from 0 to the peak, with the cursor's place among them.
+void colour_bar(ImVec2 low, ImVec2 high, const CanvasFrame& frame, const CanvasContents& contents) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float step = (high.x - low.x) / bar_steps;
+    const auto colour = [](int i) {
+        const glm::u8vec3 c = inferno(static_cast<double>(i) / bar_steps);
+        return IM_COL32(c.x, c.y, c.z, 255);
+    };
+    for (int i = 0; i < bar_steps; ++i) {
+        const float x = low.x + static_cast<float>(i) * step;
+        list.AddRectFilledMultiColor({x, low.y}, {x + step, high.y}, colour(i), colour(i + 1), colour(i + 1),
+                                     colour(i));
+    }
+    list.AddRect(low, high, ImGui::GetColorU32(palette::line));
+    if (!frame.cursor || !contents.p) return;
+    const auto at = static_cast<float>(contents.scale.position(contents.p->density(*frame.cursor)));
+    const float x = low.x + at * (high.x - low.x);
+    list.AddLine({x, low.y - 3}, {x, high.y + 3}, ImGui::GetColorU32(palette::text), 2);
+}
+
+void legend(const CanvasFrame& frame, const CanvasContents& contents) {
+    const float size = ImGui::GetFontSize(), top = frame.high.y + ImGui::GetStyle().ItemSpacing.y * 0.5f;
+    const float left = frame.low.x + size * 0.8f, right = frame.high.x - size * 0.8f;
+    const std::string least =
+        contents.scale.logarithmic ? fmt::format("{:.2g}", contents.scale.value(0)) : "0";
+    const std::string most = fmt::format("{:.3g} /sr", contents.scale.peak);
+    const float bar = left + ImGui::CalcTextSize(least.c_str()).x + size * 0.5f, breadth = size * 6;
+    text_at({left, top}, least, palette::text_dim);
+    colour_bar({bar, top + size * 0.15f}, {bar + breadth, top + size * 0.95f}, frame, contents);
+    text_at({bar + breadth + size * 0.5f, top}, most, palette::text_dim);
+    std::string text = readout(frame, contents);
+    Colour colour = palette::text;
+    if (text.empty() && contents.p) {
+        const double lean = lean_of_mean(*contents.p);
+        colour = lean < lean_noticed ? palette::text_dim : palette::amber;
+        text =
+            lean < lean_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", lean);
+    }
+    text_at({right - ImGui::CalcTextSize(text.c_str()).x, top}, text, colour);
+}
+
+}  // namespace
+
+ImVec2 CanvasFrame::screen(dvec3 h) const {
+    const glm::dvec2 at = view.pixel(h);
+    return {low.x + static_cast<float>(at.x), low.y + static_cast<float>(at.y)};
+}
+
+glm::dvec2 CanvasFrame::pixel(ImVec2 screen) const { return {screen.x - low.x, screen.y - low.y}; }
+
+CanvasFrame begin_canvas(CanvasState& state) {
+    const float border = ImGui::GetFontSize() * 0.6f;
+    ImGui::SetCursorPos({ImGui::GetCursorPosX() + border, ImGui::GetCursorPosY() + border});
+    ImGui::BeginGroup();
+    view_buttons(state);
+    ImGui::EndGroup();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 size(std::max(room.x, 1.0f), std::max(room.y - legend_height(), 1.0f));
+    ImGui::InvisibleButton("Canvas", size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    note_item("Canvas");
+    const glm::dvec2 extent(size.x, size.y);
+    CanvasFrame frame{.low = low,
+                      .high = {low.x + size.x, low.y + size.y},
+                      .view = HemisphereView(state.camera, extent),
+                      .cursor = {}};
+    move_camera(state, frame);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        state.camera = {.dome = state.camera.dome, .below = state.camera.below};
+    frame.view = HemisphereView(state.camera, extent);
+    if (ImGui::IsItemHovered()) frame.cursor = frame.view.direction(frame.pixel(ImGui::GetIO().MousePos));
+    return frame;
+}
+
+void end_canvas(const CanvasFrame& frame, const CanvasContents& contents) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(frame.low, frame.high, true);
+    if (contents.picture != nullptr)
+        list.AddImage(contents.picture, frame.low,
+                      {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
+    draw_grid(frame);
+    if (contents.p) draw_mean_normal(frame, *contents.p);
+    list.PopClipRect();
+    legend(frame, contents);
+}
+
+}  // namespace nacre::ui
