@@ -7,6 +7,7 @@
 
 #include "core/paint/colour_map.h"
 #include "ui/canvas_grid.h"
+#include "ui/canvas_handles.h"
 #include "ui/canvas_path.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
@@ -56,7 +57,9 @@ void text_at(ImVec2 at, const std::string& text, const Colour& colour) {
     ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(colour), text.c_str());
 }
 
-std::string readout(const CanvasFrame& frame, const CanvasContents& contents) {
+std::string readout(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    if (contents.design)
+        if (std::string held = handle_text(state, *contents.design); !held.empty()) return held;
     if (!frame.cursor) return {};
     const dvec3 h = *frame.cursor;
     std::string text = fmt::format("\u03b8 {:.1f}\u00b0   \u03c6 {:.1f}\u00b0", polar_angle(h), azimuth(h));
@@ -84,7 +87,7 @@ void colour_bar(ImVec2 low, ImVec2 high, const CanvasFrame& frame, const CanvasC
     list.AddLine({x, low.y - 3}, {x, high.y + 3}, ImGui::GetColorU32(palette::text), 2);
 }
 
-void legend(const CanvasFrame& frame, const CanvasContents& contents) {
+void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
     const float size = ImGui::GetFontSize(), top = frame.high.y + ImGui::GetStyle().ItemSpacing.y * 0.5f;
     const float left = frame.low.x + size * 0.8f, right = frame.high.x - size * 0.8f;
     const std::string least =
@@ -94,7 +97,7 @@ void legend(const CanvasFrame& frame, const CanvasContents& contents) {
     text_at({left, top}, least, palette::text_dim);
     colour_bar({bar, top + size * 0.15f}, {bar + breadth, top + size * 0.95f}, frame, contents);
     text_at({bar + breadth + size * 0.5f, top}, most, palette::text_dim);
-    std::string text = readout(frame, contents);
+    std::string text = readout(state, frame, contents);
     Colour colour = palette::text;
     if (text.empty() && contents.p) {
         const double lean = lean_of_mean(*contents.p);
@@ -114,7 +117,7 @@ ImVec2 CanvasFrame::screen(dvec3 h) const {
 
 glm::dvec2 CanvasFrame::pixel(ImVec2 screen) const { return {screen.x - low.x, screen.y - low.y}; }
 
-CanvasFrame begin_canvas(CanvasState& state) {
+CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
     const float border = ImGui::GetFontSize() * 0.6f;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + border, ImGui::GetCursorPosY() + border});
     ImGui::BeginGroup();
@@ -131,16 +134,18 @@ CanvasFrame begin_canvas(CanvasState& state) {
     CanvasFrame frame{.low = low,
                       .high = {low.x + size.x, low.y + size.y},
                       .view = HemisphereView(state.camera, extent),
+                      .hovered = ImGui::IsItemHovered(),
                       .cursor = {}};
     move_camera(state, frame);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    const bool on_handle = handle_layers(state, frame, distribution, chosen);
+    if (frame.hovered && !on_handle && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         state.camera = {.dome = state.camera.dome, .below = state.camera.below};
     frame.view = HemisphereView(state.camera, extent);
-    if (ImGui::IsItemHovered()) frame.cursor = frame.view.direction(frame.pixel(ImGui::GetIO().MousePos));
+    if (frame.hovered) frame.cursor = frame.view.direction(frame.pixel(ImGui::GetIO().MousePos));
     return frame;
 }
 
-void end_canvas(const CanvasFrame& frame, const CanvasContents& contents) {
+void end_canvas(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(frame.low, frame.high, true);
     if (contents.picture != nullptr)
@@ -148,8 +153,9 @@ void end_canvas(const CanvasFrame& frame, const CanvasContents& contents) {
                       {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
     draw_grid(frame);
     if (contents.p) draw_mean_normal(frame, *contents.p);
+    if (contents.design) draw_handles(state, frame, *contents.design, contents.chosen);
     list.PopClipRect();
-    legend(frame, contents);
+    legend(state, frame, contents);
 }
 
 }  // namespace nacre::ui

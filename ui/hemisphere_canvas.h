@@ -9,38 +9,52 @@
 #include "core/model/facet_distribution.h"
 #include "core/paint/density_picture.h"
 #include "core/paint/hemisphere_view.h"
+#include "core/paint/lobe_handles.h"
 
 namespace nacre::ui {
+
+// A handle that is held, as it was when it was taken.
+struct GrabbedHandle {
+    HandleKind kind;
+    std::size_t layer;
+    dvec3 at;
+    glm::dvec2 pixel;  // of the pointer
+    Layer before;
+};
 
 // What the canvas remembers between frames; no part of the document.
 struct CanvasState {
     HemisphereCamera camera;
     bool logarithmic = false;
+    std::optional<GrabbedHandle> grabbed;
 };
 
 // Where the canvas lies in this frame, and what its pixels stand for.
 struct CanvasFrame {
     ImVec2 low, high;  // left top, right bottom
     HemisphereView view;
+    bool hovered = false;
     std::optional<dvec3> cursor;  // the normal under the pointer
 
     ImVec2 screen(dvec3 h) const;
     glm::dvec2 pixel(ImVec2 screen) const;  // as `view` counts
 };
 
-// What is shown on the canvas. `p` is null for a design without facets.
+// What is shown on the canvas.
 struct CanvasContents {
-    const FacetDistribution* p = nullptr;
-    ImTextureID picture = nullptr;  // null while there is none
-    ImVec2 picture_size;            // pixels from the canvas's left top corner that it covers
+    const Distribution* design = nullptr;
+    std::size_t chosen = 0;                // layer
+    const FacetDistribution* p = nullptr;  // null for a design without facets
+    ImTextureID picture = nullptr;         // null while there is none
+    ImVec2 picture_size;                   // pixels from the canvas's left top corner that it covers
     DensityScale scale;
 };
 
-// The buttons above the canvas. Fills the rest of the window but for the legend below it, and lets wheel and
-// drags move the camera.
-CanvasFrame begin_canvas(CanvasState& state);
+// The buttons above the canvas. Fills the rest of the window but for the legend below it. The wheel and the
+// middle and right buttons move the camera; the left one pulls handles of the layers.
+CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::size_t& chosen);
 
-// Picture, grid, mean normal, and the legend below.
-void end_canvas(const CanvasFrame& frame, const CanvasContents& contents);
+// Picture, grid, mean normal, handles, and the legend below.
+void end_canvas(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents);
 
 }  // namespace nacre::ui

@@ -61,9 +61,9 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
     drawn_ = wanted;
 }
 
-void CanvasPane::draw(Design& design) {
+void CanvasPane::draw(Design& design, std::size_t& chosen) {
     show_below(design.distribution);
-    const ui::CanvasFrame frame = ui::begin_canvas(state);
+    const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, chosen);
     const FacetDistribution* p = live_.of(design.distribution);
     Drawn wanted{.revision = live_.revision(),
                  .camera = state.camera,
@@ -73,9 +73,13 @@ void CanvasPane::draw(Design& design) {
     if (p && wanted != drawn_) redraw(*p, frame.view, wanted);
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.name()));
     const glm::vec2 covered(texels_ * drawn_.divisor);
-    ui::end_canvas(
-        frame,
-        {.p = p, .picture = p ? texture : nullptr, .picture_size = {covered.x, covered.y}, .scale = scale_});
+    ui::end_canvas(state, frame,
+                   {.design = &design.distribution,
+                    .chosen = chosen,
+                    .p = p,
+                    .picture = p ? texture : nullptr,
+                    .picture_size = {covered.x, covered.y},
+                    .scale = scale_});
 }
 
 }  // namespace nacre

@@ -13,8 +13,8 @@ class CanvasPane {
   public:
     ui::CanvasState state;
 
-    // Fills the current Dear ImGui window.
-    void draw(Design& design);
+    // Fills the current Dear ImGui window. `chosen` is the layer that the panel shows.
+    void draw(Design& design, std::size_t& chosen);
 
     // From now on each picture is drawn with every pixel, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }

@@ -86,10 +86,11 @@ void draw_frame(Designer& designer) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }
-    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
-                                  .canvas = [&] { designer.canvas.draw(document.design); },
-                                  .preview = [&] { designer.preview.draw(designer.scene); },
-                                  .status = [&] { draw_status(designer); }});
+    draw_layout(designer.layout,
+                {.panel = [&] { draw_panel(designer); },
+                 .canvas = [&] { designer.canvas.draw(document.design, designer.layers.chosen); },
+                 .preview = [&] { designer.preview.draw(designer.scene); },
+                 .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
 
     // One step of undo for each drag or typed text: it ends when nothing is held.

@@ -73,24 +73,6 @@ TEST_CASE("designer: typed text is one step, and Ctrl+Z in the field is the fiel
     CHECK(r.document().design.name.empty());
 }
 
-TEST_CASE("designer: the canvas is moved with wheel and middle button, and a double click shows all") {
-    Rig r;
-    const Design before = r.document().design;
-    r.play("move \"Canvas\":0.6,0.4\nwheel 4");
-    const HemisphereCamera& camera = r.stage.designer().canvas.state.camera;
-    CHECK(camera.zoom == doctest::Approx(std::pow(1.15, 4)));
-    const glm::dvec2 centre = camera.centre;
-    r.play("down middle\nmove \"Canvas\":0.7,0.4\nup middle");
-    CHECK(camera.centre.x < centre.x - 0.05);
-    CHECK(camera.centre.y == doctest::Approx(centre.y));
-    r.play("frames 30\nclick \"Canvas\"\nclick \"Canvas\"");
-    CHECK(camera == HemisphereCamera{});
-    r.play("click \"Dome\"\nmove \"Canvas\"\ndown right\nmove \"Canvas\":0.6,0.5\nup right");
-    CHECK(camera.dome);
-    CHECK(camera.yaw > HemisphereCamera{}.yaw);
-    CHECK(r.document().design == before);
-}
-
 TEST_CASE("designer: every edit brings new tables") {
     Rig r;
     r.play("wait");
