@@ -8,7 +8,9 @@
 #include "core/paint/colour_map.h"
 #include "ui/canvas_grid.h"
 #include "ui/canvas_handles.h"
+#include "ui/canvas_paint.h"
 #include "ui/canvas_path.h"
+#include "ui/canvas_toolbar.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -19,20 +21,7 @@ namespace {
 constexpr double zoom_per_notch = 1.15;
 constexpr double degrees_per_pixel = 0.4;
 constexpr int bar_steps = 48;
-
-void view_buttons(CanvasState& state) {
-    HemisphereCamera& camera = state.camera;
-    if (button(camera.dome ? "Dome##Dome" : "Disk##Dome",
-               "Every facet normal, as an equal-area disk seen from above or as a dome that the right button "
-               "turns."))
-        camera = {.dome = !camera.dome, .below = camera.below};
-    ImGui::SameLine();
-    if (button(
-            state.logarithmic ? "Logarithmic##Scale" : "Linear##Scale",
-            "How p becomes brightness: linear, or logarithmic over four decades, which shows the haze around "
-            "a core."))
-        state.logarithmic = !state.logarithmic;
-}
+constexpr double unseen = 1e-9;  // of the peak: what lies below is read as 0
 
 void move_camera(CanvasState& state, const CanvasFrame& frame) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -51,6 +40,11 @@ void move_camera(CanvasState& state, const CanvasFrame& frame) {
     }
 }
 
+std::optional<dvec3> cursor_of(const CanvasFrame& frame) {
+    if (!frame.hovered) return {};
+    return frame.view.direction(frame.pixel(ImGui::GetIO().MousePos));
+}
+
 float legend_height() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
 
 void text_at(ImVec2 at, const std::string& text, const Colour& colour) {
@@ -63,7 +57,9 @@ std::string readout(const CanvasState& state, const CanvasFrame& frame, const Ca
     if (!frame.cursor) return {};
     const dvec3 h = *frame.cursor;
     std::string text = fmt::format("\u03b8 {:.1f}\u00b0   \u03c6 {:.1f}\u00b0", polar_angle(h), azimuth(h));
-    if (contents.p) text += fmt::format("   p {:.3g} /sr", contents.p->density(h));
+    if (!contents.p) return text;
+    const double p = contents.p->density(h);
+    text += fmt::format("   p {:.3g} /sr", p < unseen * contents.scale.peak ? 0 : p);
     return text;
 }
 
@@ -121,7 +117,7 @@ CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::si
     const float border = ImGui::GetFontSize() * 0.6f;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + border, ImGui::GetCursorPosY() + border});
     ImGui::BeginGroup();
-    view_buttons(state);
+    canvas_toolbar(state, distribution, chosen);
     ImGui::EndGroup();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -136,12 +132,15 @@ CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::si
                       .view = HemisphereView(state.camera, extent),
                       .hovered = ImGui::IsItemHovered(),
                       .cursor = {}};
+    frame.cursor = cursor_of(frame);
     move_camera(state, frame);
-    const bool on_handle = handle_layers(state, frame, distribution, chosen);
-    if (frame.hovered && !on_handle && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    const bool taken = state.tool == CanvasTool::handles ? handle_layers(state, frame, distribution, chosen)
+                                                         : paint_layers(state, frame, distribution, chosen);
+    if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
+                          ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
         state.camera = {.dome = state.camera.dome, .below = state.camera.below};
     frame.view = HemisphereView(state.camera, extent);
-    if (frame.hovered) frame.cursor = frame.view.direction(frame.pixel(ImGui::GetIO().MousePos));
+    frame.cursor = cursor_of(frame);
     return frame;
 }
 
@@ -153,7 +152,10 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
                       {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
     draw_grid(frame);
     if (contents.p) draw_mean_normal(frame, *contents.p);
-    if (contents.design) draw_handles(state, frame, *contents.design, contents.chosen);
+    if (contents.design && state.tool == CanvasTool::handles)
+        draw_handles(state, frame, *contents.design, contents.chosen);
+    else if (contents.design)
+        draw_brush(state, frame, *contents.design, contents.chosen);
     list.PopClipRect();
     legend(state, frame, contents);
 }

@@ -10,6 +10,9 @@
 #include "core/paint/density_picture.h"
 #include "core/paint/hemisphere_view.h"
 #include "core/paint/lobe_handles.h"
+#include "core/paint/shape.h"
+#include "core/paint/stamps.h"
+#include "core/paint/stroke.h"
 
 namespace nacre::ui {
 
@@ -22,11 +25,31 @@ struct GrabbedHandle {
     Layer before;
 };
 
+// What the left button does.
+enum class CanvasTool { handles, paint, erase, smooth, smear, stamp, line, ring, star };
+
+// A stroke or a shape while the button is held.
+struct HeldBrush {
+    std::size_t layer;
+    Layer before;
+    double first_weight;           // see set_raster()
+    std::optional<Stroke> stroke;  // none for a shape
+    dvec3 from;                    // of a shape, in the layer's frame
+    glm::dvec2 pixel;              // of the pointer in the frame before
+};
+
 // What the canvas remembers between frames; no part of the document.
 struct CanvasState {
     HemisphereCamera camera;
     bool logarithmic = false;
+    CanvasTool tool = CanvasTool::handles;
+    Brush brush;
+    BrushSymmetry symmetry;
+    int rays = 5;  // of a star
+    std::vector<NamedStamp> stamps = built_in_stamps();
+    std::size_t stamp = 0;
     std::optional<GrabbedHandle> grabbed;
+    std::optional<HeldBrush> held;
 };
 
 // Where the canvas lies in this frame, and what its pixels stand for.
@@ -51,10 +74,10 @@ struct CanvasContents {
 };
 
 // The buttons above the canvas. Fills the rest of the window but for the legend below it. The wheel and the
-// middle and right buttons move the camera; the left one pulls handles of the layers.
+// middle and right buttons move the camera; the left one pulls handles of the layers or paints.
 CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::size_t& chosen);
 
-// Picture, grid, mean normal, handles, and the legend below.
+// Picture, grid, mean normal, handles or brush, and the legend below.
 void end_canvas(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents);
 
 }  // namespace nacre::ui
