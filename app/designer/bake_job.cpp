@@ -50,12 +50,13 @@ BakeJob::BakeJob(int threads)
 void BakeJob::want(const BakeRequest& request) {
     if (wanted_ == request) return;
     wanted_ = request;
-    job_.submit(request);
+    asked_ = job_.submit(request);
 }
 
 std::shared_ptr<const Tables> BakeJob::poll() {
     const auto published = job_.poll();
     if (!published) return nullptr;
+    answered_ = published->revision;
     problem_ = published->error ? plain_words(published->error) : std::string();
     return published->result.value_or(nullptr);
 }

@@ -1,6 +1,7 @@
 // The bake on the worker: a draft within milliseconds, then the final tables.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,12 +31,17 @@ class BakeJob {
     // Why the newest finished request was refused, in plain words; empty when it was not.
     const std::string& problem() const { return problem_; }
     bool busy() const { return job_.busy(); }
+
+    // Numbers of the newest request and of the one that the last polled tables are for.
+    std::uint64_t asked() const { return asked_; }
+    std::uint64_t answered() const { return answered_; }
     void wait() const { job_.wait(); }
 
   private:
     Baker baker_;  // only the worker calls it
     std::optional<BakeRequest> wanted_;
     std::string problem_;
+    std::uint64_t asked_ = 0, answered_ = 0;
     LatestJob<BakeRequest, std::shared_ptr<const Tables>> job_;
 };
 
