@@ -70,6 +70,21 @@ void draw_grid(const CanvasFrame& frame) {
     }
 }
 
+void draw_mark(const CanvasFrame& frame, dvec3 h) {
+    if (frame.view.hidden(h)) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 at = frame.screen(h);
+    const float scale = ImGui::GetFontSize() / 15, reach = 11 * scale, gap = 4 * scale;
+    for (const bool edge : {true, false}) {
+        const ImU32 colour = edge ? IM_COL32(0, 0, 0, 170) : ImGui::GetColorU32(palette::accent_bright);
+        const float breadth = (edge ? 4.5f : 2.2f) * scale;
+        list.AddCircle(at, gap, colour, 0, breadth);
+        for (const ImVec2 way : {ImVec2(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+            list.AddLine({at.x + gap * way.x, at.y + gap * way.y},
+                         {at.x + reach * way.x, at.y + reach * way.y}, colour, breadth);
+    }
+}
+
 double lean_of_mean(const FacetDistribution& p) { return polar_angle(p.mean()); }
 
 void draw_mean_normal(const CanvasFrame& frame, const FacetDistribution& p) {

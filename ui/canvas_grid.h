@@ -11,6 +11,9 @@ void draw_grid(const CanvasFrame& frame);
 // An arrow from n to the mean normal of the facets: green where it is along n, amber where it leans.
 void draw_mean_normal(const CanvasFrame& frame, const FacetDistribution& p);
 
+// A cross at the normal that somebody points at elsewhere.
+void draw_mark(const CanvasFrame& frame, dvec3 h);
+
 // Angle of the mean normal from n, degrees.
 double lean_of_mean(const FacetDistribution& p);
 

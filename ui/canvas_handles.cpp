@@ -11,7 +11,8 @@
 namespace nacre::ui {
 namespace {
 
-constexpr float reach = 9;  // pixels within which a press takes a handle
+constexpr float reach = 9;    // pixels within which a press takes a handle
+constexpr double apart = 11;  // pixels from the axis at the least, else an end cannot be told from it
 constexpr int outline_steps = 120;
 
 float scale() { return ImGui::GetFontSize() / 15; }
@@ -34,10 +35,21 @@ std::optional<dvec3> outline_under(const CanvasFrame& frame, const Layer& layer,
     return found;
 }
 
+// Without the ends of a lobe that is too narrow on the screen: zoomed in, they come apart.
+std::vector<Handle> told_apart(const CanvasFrame& frame, const Layer& layer) {
+    std::vector<Handle> handles = handles_of(layer);
+    const glm::dvec2 axis = frame.view.pixel(handles.front().at);
+    std::erase_if(handles, [&](const Handle& handle) {
+        return handle.kind != HandleKind::axis &&
+               distance(frame, handle.at, axis) < apart * static_cast<double>(scale());
+    });
+    return handles;
+}
+
 std::optional<Handle> chosen_handle(const CanvasFrame& frame, const Layer& layer, glm::dvec2 pixel) {
     double nearest = static_cast<double>(reach * scale());
     std::optional<Handle> found;
-    for (const Handle& handle : handles_of(layer))
+    for (const Handle& handle : told_apart(frame, layer))
         if (const double d = distance(frame, handle.at, pixel); d <= nearest) nearest = d, found = handle;
     if (found) return found;
     if (const auto h = outline_under(frame, layer, pixel)) return Handle{HandleKind::outline, *h};
@@ -62,10 +74,11 @@ void draw_chosen(const CanvasFrame& frame, const Layer& layer, const std::option
         draw_path(frame, at, outline_steps, ImGui::GetColorU32(lit ? palette::accent_bright : palette::text),
                   (lit ? 2.4f : 1.5f) * scale());
     }
-    for (const Handle& handle : handles_of(layer)) {
+    for (const Handle& handle : told_apart(frame, layer)) {
         if (frame.view.hidden(handle.at)) continue;
         const bool under = same(hot, handle.kind, handle.at);
-        const float radius = (handle.kind == HandleKind::axis ? 5.5f : 4.5f) + (under ? 1.5f : 0.0f);
+        const float size = handle.kind == HandleKind::axis ? 5.5f : 4.5f;
+        const float radius = size + (under ? 1.5f : 0.0f);
         knob(frame.screen(handle.at), radius, under ? palette::accent_bright : palette::text);
     }
 }

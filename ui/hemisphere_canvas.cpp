@@ -54,8 +54,9 @@ void text_at(ImVec2 at, const std::string& text, const Colour& colour) {
 std::string readout(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
     if (contents.design)
         if (std::string held = handle_text(state, *contents.design); !held.empty()) return held;
-    if (!frame.cursor) return {};
-    const dvec3 h = *frame.cursor;
+    const std::optional<dvec3>& pointed = frame.cursor ? frame.cursor : state.marked;
+    if (!pointed) return {};
+    const dvec3 h = *pointed;
     std::string text = fmt::format("\u03b8 {:.1f}\u00b0   \u03c6 {:.1f}\u00b0", polar_angle(h), azimuth(h));
     if (!contents.p) return text;
     const double p = contents.p->density(h);
@@ -156,6 +157,7 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
         draw_handles(state, frame, *contents.design, contents.chosen);
     else if (contents.design)
         draw_brush(state, frame, *contents.design, contents.chosen);
+    if (state.marked) draw_mark(frame, *state.marked);
     list.PopClipRect();
     legend(state, frame, contents);
 }

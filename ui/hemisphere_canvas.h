@@ -50,6 +50,7 @@ struct CanvasState {
     std::size_t stamp = 0;
     std::optional<GrabbedHandle> grabbed;
     std::optional<HeldBrush> held;
+    std::optional<dvec3> marked;  // by the preview: the normal of the facets that light what is pointed at
 };
 
 // Where the canvas lies in this frame, and what its pixels stand for.

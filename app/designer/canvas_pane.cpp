@@ -64,6 +64,7 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
 void CanvasPane::draw(Design& design, std::size_t& chosen) {
     show_below(design.distribution);
     const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, chosen);
+    pointed_at_ = frame.cursor;
     const FacetDistribution* p = live_.of(design.distribution);
     Drawn wanted{.revision = live_.revision(),
                  .camera = state.camera,

@@ -19,6 +19,9 @@ class CanvasPane {
     // From now on each picture is drawn with every pixel, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }
 
+    // The normal under the pointer.
+    const std::optional<dvec3>& pointed_at() const { return pointed_at_; }
+
   private:
     // Everything that the picture depends on.
     struct Drawn {
@@ -37,6 +40,7 @@ class CanvasPane {
     LiveDistribution live_;
     int scaled_revision_ = -1;  // that scale_ is for
     DensityScale scale_;
+    std::optional<dvec3> pointed_at_;
     Texture picture_;
     glm::ivec2 texels_{0};
     Drawn drawn_;

@@ -18,6 +18,8 @@
 namespace nacre {
 namespace {
 
+constexpr double probe_radius = 3;  // degrees of normals that glow while nothing is painted
+
 void draw_presets(Designer& designer) {
     std::vector<std::string> names;
     std::optional<std::size_t> current;
@@ -60,6 +62,12 @@ void draw_panel(Designer& designer) {
     ImGui::EndTabBar();
 }
 
+void draw_preview(Designer& designer) {
+    const ui::CanvasState& canvas = designer.canvas.state;
+    const double radius = canvas.tool == ui::CanvasTool::handles ? probe_radius : canvas.brush.radius;
+    designer.preview.draw(designer.scene, designer.canvas.pointed_at(), radius);
+}
+
 void draw_status(const Designer& designer) {
     ui::status_line({.tables = designer.tables_text,
                      .message = designer.files.message(),
@@ -86,10 +94,11 @@ void draw_frame(Designer& designer) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }
+    designer.canvas.state.marked = designer.preview.pointed_at();
     draw_layout(designer.layout,
                 {.panel = [&] { draw_panel(designer); },
                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers.chosen); },
-                 .preview = [&] { designer.preview.draw(designer.scene); },
+                 .preview = [&] { draw_preview(designer); },
                  .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
 

@@ -10,12 +10,14 @@
 
 #include "app/designer/preview_mouse.h"
 #include "app/gl/gl.h"
+#include "app/preview/probe.h"
 #include "ui/item_map.h"
 #include "ui/widgets.h"
 
 namespace nacre {
 namespace {
 
+constexpr int glow_divisor = 4;        // pixels a texel: the glow is soft
 constexpr double rest_seconds = 0.12;  // without a change until the picture is drawn finely
 
 void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size) {
@@ -40,7 +42,7 @@ void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     stale_ = true;
 }
 
-void PreviewPane::draw(Scene& scene) {
+void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius) {
     const ImVec2 size = ImGui::GetContentRegionAvail();
     if (size.x < 1 || size.y < 1) return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -49,12 +51,27 @@ void PreviewPane::draw(Scene& scene) {
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui::note_item("Preview");
     handle_mouse(scene, corner, size);
+    pointed_at_.reset();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemHovered())
+        pointed_at_ =
+            half_vector(scene, {mouse.x - corner.x, mouse.y - corner.y}, {int(size.x), int(size.y)});
     if (preview_.empty()) return;
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     redraw_if_needed(scene, {int(size.x * scale.x), int(size.y * scale.y)});
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(preview_.texture()));
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
     ImGui::GetWindowDrawList()->AddImage(texture, corner, end, ImVec2(0, 1), ImVec2(1, 0));
+    if (glow) draw_glow(scene, *glow, radius, corner, size);
+}
+
+void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size) {
+    const Glow glow = glow_of(scene, {int(size.x), int(size.y)}, h, radius, glow_divisor);
+    glow_.store(glow.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, glow.rgba.data(), GL_LINEAR);
+    const glm::vec2 covered(glow.size * glow_divisor);
+    ImGui::GetWindowDrawList()->AddImage(
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(glow_.name())), corner,
+        ImVec2(corner.x + covered.x, corner.y + covered.y));
 }
 
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {

@@ -1,8 +1,12 @@
 // The picture in the middle of the window, and what the mouse does on it.
 #pragma once
 
+#include <imgui.h>
+
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 
 #include "app/designer/draw_quality.h"
 #include "app/preview/preview.h"
@@ -17,7 +21,11 @@ class PreviewPane {
 
     // Fills the current Dear ImGui window. Left drag moves the light, right or middle drag orbits, the
     // wheel zooms. Draws anew only what changed.
-    void draw(Scene& scene);
+    // `glow` is a normal whose facets' light shines out, for about `radius` degrees around it.
+    void draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius);
+
+    // The normal of the facets that light the pixel under the pointer.
+    const std::optional<glm::dvec3>& pointed_at() const { return pointed_at_; }
 
     // From now on each picture is drawn as finely as can be, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }
@@ -25,10 +33,13 @@ class PreviewPane {
     bool has_picture() const { return !preview_.empty(); }
 
   private:
+    void draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);
     void redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality);
 
     Preview preview_;
+    Texture glow_;
+    std::optional<glm::dvec3> pointed_at_;
     bool insist_on_best_ = false;
     bool stale_ = true;
     Scene drawn_scene_;

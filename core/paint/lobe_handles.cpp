@@ -30,7 +30,7 @@ Widths widths_of(Lobe& lobe) {
 }
 
 double slope(double width, bool inverted) {
-    if (std::isinf(width)) return inverted ? 0 : limits::width_max;
+    if (std::isinf(width)) return inverted ? 0 : slope_most;
     return inverted ? 1 / width : width;
 }
 
@@ -95,8 +95,10 @@ dvec3 outline_at(const Layer& layer, double t) {
     const double psi = 2 * std::numbers::pi * t;
     dvec3 h{std::cos(psi), std::sin(psi), 0};
     if (has_widths(layer.lobe)) {
+        // Of a long outline more points lie where it bends.
         const dvec2 s = slopes_of(layer.lobe);
-        h = {h.x * s.x, h.y * s.y, 1};
+        const dvec2 even = glm::normalize(dvec2(h.x * std::sqrt(s.y), h.y * std::sqrt(s.x)));
+        h = {even.x * s.x, even.y * s.y, 1};
     }
     return layer_frame(layer) * glm::normalize(h);
 }

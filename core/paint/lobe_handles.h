@@ -21,7 +21,7 @@ struct Handle {
     dvec3 at;  // unit, in the surface's frame
 };
 
-// Of the points that can be taken; those at the ends of an infinite width lie on the lobe's horizon.
+// The points that can be taken; those at the ends of an infinite width lie a degree from the lobe's horizon.
 std::vector<Handle> handles_of(const Layer& layer);
 
 // Whether the layer has an outline that can be drawn and taken, and its point at t in [0, 1), in the
