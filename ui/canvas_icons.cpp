@@ -56,6 +56,14 @@ void draw_tool_icon(CanvasTool tool, ImVec2 corner, float side, ImU32 colour) {
             pen.fill({{0.30f, 0.15f}, {0.46f, 0.58f}, {0.72f, 0.56f}});
             pen.line({{0.44f, 0.54f}, {0.57f, 0.84f}});
             break;
+        case CanvasTool::grab:
+            pen.line({{0.5f, 0.14f}, {0.5f, 0.86f}});
+            pen.line({{0.14f, 0.5f}, {0.86f, 0.5f}});
+            pen.line({{0.40f, 0.24f}, {0.5f, 0.13f}, {0.60f, 0.24f}});
+            pen.line({{0.40f, 0.76f}, {0.5f, 0.87f}, {0.60f, 0.76f}});
+            pen.line({{0.24f, 0.40f}, {0.13f, 0.5f}, {0.24f, 0.60f}});
+            pen.line({{0.76f, 0.40f}, {0.87f, 0.5f}, {0.76f, 0.60f}});
+            break;
         case CanvasTool::paint:
             pen.line({{0.82f, 0.16f}, {0.48f, 0.54f}});
             pen.disc({0.37f, 0.65f}, 0.13f);

@@ -49,7 +49,7 @@ bool is_painted(const Distribution& distribution, std::size_t index) {
 
 dvec3 in_layer(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(layer)) * h; }
 
-void begin_stroke(CanvasState& state, const CanvasFrame& frame, Distribution& distribution,
+void begin_stroke(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
                   std::size_t& chosen) {
     if (!is_painted(distribution, chosen)) add_painted_layer(distribution, chosen);
     if (!is_painted(distribution, chosen)) return;
@@ -59,13 +59,14 @@ void begin_stroke(CanvasState& state, const CanvasFrame& frame, Distribution& di
     const Raster& raster = *lobe.image.raster;
     if (raster_mass(raster) > 0) layer.enabled = true;
     const double others = weight_of_others(distribution, chosen);
-    const dvec3 at = in_layer(layer, *frame.cursor);
+    const dvec3 at = in_layer(layer, *surface.pointed_at);
     state.held = HeldBrush{.layer = chosen,
                            .before = layer,
                            .first_weight = others > 0 ? first_share * others : 1,
                            .stroke = {},
                            .from = at,
-                           .pixel = frame.pixel(ImGui::GetIO().MousePos)};
+                           .pixel = surface.pixel,
+                           .surface = surface.surface};
     if (is_shape(state.tool)) return;
     StrokeStyle style{
         .tool = paint_tool(state.tool), .brush = state.brush, .symmetry = state.symmetry, .tip = {}};
@@ -73,19 +74,21 @@ void begin_stroke(CanvasState& state, const CanvasFrame& frame, Distribution& di
     state.held->stroke.emplace(raster, std::move(style), at);
 }
 
-std::shared_ptr<const Raster> continued(const CanvasState& state, const CanvasFrame& frame, HeldBrush& held) {
-    const glm::dvec2 pixel = frame.pixel(ImGui::GetIO().MousePos);
-    const auto local = [&](glm::dvec2 at) { return in_layer(held.before, frame.view.nearest_direction(at)); };
+std::shared_ptr<const Raster> continued(const CanvasState& state, const BrushSurface& surface,
+                                        HeldBrush& held) {
+    const auto& before = std::get<PaintedLobe>(held.before.lobe).image.raster;
     if (!held.stroke) {
-        const Shape shape{shape_kind(state.tool), state.rays, held.from, local(pixel)};
-        const auto& before = std::get<PaintedLobe>(held.before.lobe).image.raster;
+        const auto to = surface.normal(surface.pixel);
+        if (!to) return before;
+        const Shape shape{shape_kind(state.tool), state.rays, held.from, in_layer(held.before, *to)};
         return with_shape(*before, shape, state.brush, state.symmetry);
     }
-    const glm::dvec2 way = pixel - held.pixel;
+    const glm::dvec2 way = surface.pixel - held.pixel;
     const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) / pixels_a_step)));
     if (way != glm::dvec2(0))
         for (int i = 1; i <= steps; ++i)
-            held.stroke->move_to(local(held.pixel + way * (static_cast<double>(i) / steps)));
+            if (const auto h = surface.normal(held.pixel + way * (static_cast<double>(i) / steps)))
+                held.stroke->move_to(in_layer(held.before, *h));
     return held.stroke->raster();
 }
 
@@ -136,19 +139,21 @@ void add_painted_layer(Distribution& distribution, std::size_t& chosen) {
     chosen = at;
 }
 
-bool paint_layers(CanvasState& state, const CanvasFrame& frame, Distribution& distribution,
+bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
                   std::size_t& chosen) {
-    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.held.reset();
-    const bool on_hemisphere = frame.hovered && frame.cursor;
-    if (on_hemisphere && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        begin_stroke(state, frame, distribution, chosen);
-    if (!state.held) return on_hemisphere;
+    if (state.held && state.held->surface == surface.surface &&
+        (!surface.active || !ImGui::IsMouseDown(ImGuiMouseButton_Left)))
+        state.held.reset();
+    const bool pointing = surface.hovered && surface.pointed_at;
+    if (pointing && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        begin_stroke(state, surface, distribution, chosen);
+    if (!state.held || state.held->surface != surface.surface) return pointing;
     if (!is_painted(distribution, state.held->layer)) {
         state.held.reset();
         return true;
     }
-    auto raster = continued(state, frame, *state.held);
-    state.held->pixel = frame.pixel(ImGui::GetIO().MousePos);
+    auto raster = continued(state, surface, *state.held);
+    state.held->pixel = surface.pixel;
     Layer& layer = distribution.layers[state.held->layer];
     if (std::get<PaintedLobe>(layer.lobe).image.raster == raster) return true;
     layer = state.held->before;
@@ -158,10 +163,11 @@ bool paint_layers(CanvasState& state, const CanvasFrame& frame, Distribution& di
 
 void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Distribution& distribution,
                 std::size_t chosen) {
-    if (!frame.cursor) return;
+    const std::optional<dvec3>& at = frame.cursor ? frame.cursor : state.marked;
+    if (!at || state.tool == CanvasTool::grab) return;
     const glm::dmat3 place =
         is_painted(distribution, chosen) ? layer_frame(distribution.layers[chosen]) : glm::dmat3(1);
-    const dvec3 middle = glm::transpose(place) * *frame.cursor;
+    const dvec3 middle = glm::transpose(place) * *at;
     const double radius = state.brush.radius * radians;
     if (middle.z < -0.5) return;
     if (state.symmetry.kind == SymmetryKind::ring && !is_shape(state.tool) && state.tool != CanvasTool::stamp)

@@ -1,13 +1,13 @@
 // The brush on the canvas.
 #pragma once
 
-#include "ui/hemisphere_canvas.h"
+#include "ui/brush_surface.h"
 
 namespace nacre::ui {
 
-// To be called right after the canvas's item: press and drag paint on the chosen layer, or, where that is no
+// Press and drag paint on the chosen layer, or, where that is no
 // painted one, on a new painted layer after it. Returns whether the pointer is the brush's.
-bool paint_layers(CanvasState& state, const CanvasFrame& frame, Distribution& distribution,
+bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
                   std::size_t& chosen);
 
 // Adds a painted layer after the chosen one and chooses it; without effect where there is no room.

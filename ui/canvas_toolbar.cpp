@@ -26,8 +26,12 @@ struct ToolEntry {
 constexpr ToolEntry tools[] = {
     {CanvasTool::handles, "Handles", 'V',
      "Shape lobes by their handles (V): the middle leans a lobe, its ends widen it, its outline turns it."},
+    {CanvasTool::grab, "Grab", 'G',
+     "Take hold of a highlight, here or on the sphere, and carry it along (G): the layer that is strongest "
+     "there "
+     "follows."},
     {CanvasTool::paint, "Paint", 'B',
-     "Paint facets (B): the surface reflects light from where you paint. On a lobe that is no painted one a "
+     "Paint facets (B), here or on the sphere. On a lobe that is no painted one a "
      "new "
      "painted layer begins."},
     {CanvasTool::erase, "Erase", 'E', "Take facets away (E)."},
@@ -226,13 +230,15 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
         if (state.tool == CanvasTool::handles) state.tool = CanvasTool::paint;
     }
     view_buttons(state);
-    if (state.tool != CanvasTool::handles) {
+    if (state.tool != CanvasTool::handles && state.tool != CanvasTool::grab) {
         brush_row(state);
         return;
     }
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
-    ImGui::TextUnformatted("Drag the chosen lobe by its middle, its ends or its outline.");
+    ImGui::TextUnformatted(state.tool == CanvasTool::grab
+                               ? "Drag a highlight, here or on the sphere."
+                               : "Drag the chosen lobe by its middle, its ends or its outline.");
     ImGui::PopStyleColor();
 }
 

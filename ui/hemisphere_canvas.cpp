@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/paint/colour_map.h"
+#include "ui/brush_surface.h"
 #include "ui/canvas_grid.h"
 #include "ui/canvas_handles.h"
 #include "ui/canvas_paint.h"
@@ -43,6 +44,16 @@ void move_camera(CanvasState& state, const CanvasFrame& frame) {
 std::optional<dvec3> cursor_of(const CanvasFrame& frame) {
     if (!frame.hovered) return {};
     return frame.view.direction(frame.pixel(ImGui::GetIO().MousePos));
+}
+
+BrushSurface surface_of(const CanvasFrame& frame) {
+    return {
+        .surface = Surface::canvas,
+        .hovered = frame.hovered,
+        .active = ImGui::IsItemActive(),
+        .pointed_at = frame.cursor,
+        .pixel = frame.pixel(ImGui::GetIO().MousePos),
+        .normal = [&frame](glm::dvec2 pixel) { return std::optional(frame.view.nearest_direction(pixel)); }};
 }
 
 float legend_height() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
@@ -135,8 +146,9 @@ CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::si
                       .cursor = {}};
     frame.cursor = cursor_of(frame);
     move_camera(state, frame);
-    const bool taken = state.tool == CanvasTool::handles ? handle_layers(state, frame, distribution, chosen)
-                                                         : paint_layers(state, frame, distribution, chosen);
+    const bool taken = state.tool == CanvasTool::handles
+                           ? handle_layers(state, frame, distribution, chosen)
+                           : use_tool(state, surface_of(frame), distribution, chosen);
     if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
                           ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
         state.camera = {.dome = state.camera.dome, .below = state.camera.below};

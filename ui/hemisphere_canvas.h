@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <optional>
 
 #include "core/model/facet_distribution.h"
@@ -26,7 +27,18 @@ struct GrabbedHandle {
 };
 
 // What the left button does.
-enum class CanvasTool { handles, paint, erase, smooth, smear, stamp, line, ring, star };
+enum class CanvasTool { handles, grab, paint, erase, smooth, smear, stamp, line, ring, star };
+
+// Where a drag has begun and therefore stays.
+enum class Surface { canvas, sphere };
+
+// A layer that is carried along.
+struct CarriedLayer {
+    std::size_t layer;
+    Layer before;
+    dvec3 from;
+    Surface surface;
+};
 
 // A stroke or a shape while the button is held.
 struct HeldBrush {
@@ -36,6 +48,7 @@ struct HeldBrush {
     std::optional<Stroke> stroke;  // none for a shape
     dvec3 from;                    // of a shape, in the layer's frame
     glm::dvec2 pixel;              // of the pointer in the frame before
+    Surface surface;
 };
 
 // What the canvas remembers between frames; no part of the document.
@@ -50,6 +63,8 @@ struct CanvasState {
     std::size_t stamp = 0;
     std::optional<GrabbedHandle> grabbed;
     std::optional<HeldBrush> held;
+    std::optional<CarriedLayer> carried;
+    std::function<std::optional<std::size_t>(dvec3)> strongest_layer;  // at a normal, if any has facets there
     std::optional<dvec3> marked;  // by the preview: the normal of the facets that light what is pointed at
 };
 

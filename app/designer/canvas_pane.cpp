@@ -37,6 +37,18 @@ void CanvasPane::show_below(const Distribution& distribution) {
     if (below != state.camera.below) state.camera = {.dome = state.camera.dome, .below = below};
 }
 
+std::optional<std::size_t> CanvasPane::strongest_layer(dvec3 h) const {
+    const FacetDistribution* p = live_.newest();
+    if (!p) return {};
+    std::optional<std::size_t> strongest;
+    double most = 0;
+    for (const PlacedLobe& placed : p->lobes()) {
+        const double density = placed.scale * placed.lobe->density(glm::transpose(placed.frame) * h);
+        if (density > most) most = density, strongest = placed.layer;
+    }
+    return strongest;
+}
+
 int CanvasPane::divisor(const Drawn& wanted) {
     Drawn same = wanted;
     same.divisor = drawn_.divisor;
@@ -63,6 +75,7 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
 
 void CanvasPane::draw(Design& design, std::size_t& chosen) {
     show_below(design.distribution);
+    state.strongest_layer = [this](dvec3 h) { return strongest_layer(h); };
     const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, chosen);
     pointed_at_ = frame.cursor;
     const FacetDistribution* p = live_.of(design.distribution);

@@ -33,6 +33,7 @@ class CanvasPane {
         bool operator==(const Drawn&) const = default;
     };
 
+    std::optional<std::size_t> strongest_layer(dvec3 h) const;
     void show_below(const Distribution& distribution);
     int divisor(const Drawn& wanted);
     void redraw(const FacetDistribution& p, const HemisphereView& view, const Drawn& wanted);

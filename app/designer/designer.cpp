@@ -62,10 +62,20 @@ void draw_panel(Designer& designer) {
     ImGui::EndTabBar();
 }
 
+// The tools of the canvas work on the sphere too, but for the handles: those leave the light to the pointer.
 void draw_preview(Designer& designer) {
-    const ui::CanvasState& canvas = designer.canvas.state;
-    const double radius = canvas.tool == ui::CanvasTool::handles ? probe_radius : canvas.brush.radius;
-    designer.preview.draw(designer.scene, designer.canvas.pointed_at(), radius);
+    ui::CanvasState& canvas = designer.canvas.state;
+    const bool probing = canvas.tool == ui::CanvasTool::handles || canvas.tool == ui::CanvasTool::grab;
+    const std::optional<dvec3>& there = designer.canvas.pointed_at();
+    // The brush's own mark must not hide what it paints.
+    const bool marking = !probing && !ImGui::IsAnyMouseDown();
+    const std::optional<dvec3> glow = there || !marking ? there : designer.preview.pointed_at();
+    designer.preview.draw(designer.scene, glow, probing ? probe_radius : canvas.brush.radius,
+                          [&](const ui::BrushSurface& sphere) {
+                              return canvas.tool != ui::CanvasTool::handles &&
+                                     ui::use_tool(canvas, sphere, designer.document.design.distribution,
+                                                  designer.layers.chosen);
+                          });
 }
 
 void draw_status(const Designer& designer) {

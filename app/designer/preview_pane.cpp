@@ -20,11 +20,12 @@ namespace {
 constexpr int glow_divisor = 4;        // pixels a texel: the glow is soft
 constexpr double rest_seconds = 0.12;  // without a change until the picture is drawn finely
 
-void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size) {
+void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 scale = io.DisplayFramebufferScale;
     if (ImGui::IsItemActive()) {
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            if (left_is_taken) return;
             const glm::dvec2 pixel((io.MousePos.x - corner.x) * scale.x,
                                    (io.MousePos.y - corner.y) * scale.y);
             move_light_to(scene, pixel, {int(size.x * scale.x), int(size.y * scale.y)});
@@ -42,7 +43,7 @@ void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     stale_ = true;
 }
 
-void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius) {
+void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool) {
     const ImVec2 size = ImGui::GetContentRegionAvail();
     if (size.x < 1 || size.y < 1) return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -50,12 +51,8 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui::note_item("Preview");
-    handle_mouse(scene, corner, size);
-    pointed_at_.reset();
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (ImGui::IsItemHovered())
-        pointed_at_ =
-            half_vector(scene, {mouse.x - corner.x, mouse.y - corner.y}, {int(size.x), int(size.y)});
+    const bool taken = work(scene, corner, size, tool);
+    handle_mouse(scene, corner, size, taken);
     if (preview_.empty()) return;
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     redraw_if_needed(scene, {int(size.x * scale.x), int(size.y * scale.y)});
@@ -63,6 +60,28 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
     ImGui::GetWindowDrawList()->AddImage(texture, corner, end, ImVec2(0, 1), ImVec2(1, 0));
     if (glow) draw_glow(scene, *glow, radius, corner, size);
+}
+
+// What the pointer on the sphere means to the canvas's tool. Returns whether the left button is the tool's.
+bool PreviewPane::work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto normal = [&](glm::dvec2 pixel) {
+        return half_vector(scene, pixel, {int(size.x), int(size.y)});
+    };
+    const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
+    const bool hovered = ImGui::IsItemHovered();
+    pointed_at_ = hovered ? normal(pixel) : std::nullopt;
+    if (io.KeyShift && !tool_works_) return false;
+    const bool taken = tool({.surface = ui::Surface::sphere,
+                             .hovered = hovered,
+                             .active = ImGui::IsItemActive(),
+                             .pointed_at = pointed_at_,
+                             .pixel = pixel,
+                             .normal = normal});
+    // A drag that began as the tool's stays so, and one that began with the light moves the light.
+    if (ImGui::IsItemActivated()) tool_works_ = taken && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (!ImGui::IsItemActive()) tool_works_ = false;
+    return tool_works_;
 }
 
 void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size) {

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "app/designer/draw_quality.h"
 #include "app/preview/preview.h"
 #include "app/preview/scene.h"
+#include "ui/brush_surface.h"
 
 namespace nacre {
 
@@ -22,7 +24,9 @@ class PreviewPane {
     // Fills the current Dear ImGui window. Left drag moves the light, right or middle drag orbits, the
     // wheel zooms. Draws anew only what changed.
     // `glow` is a normal whose facets' light shines out, for about `radius` degrees around it.
-    void draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius);
+    // `tool` takes the left button where it says so; with Shift the light moves all the same.
+    using Tool = std::function<bool(const ui::BrushSurface&)>;
+    void draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool);
 
     // The normal of the facets that light the pixel under the pointer.
     const std::optional<glm::dvec3>& pointed_at() const { return pointed_at_; }
@@ -33,6 +37,7 @@ class PreviewPane {
     bool has_picture() const { return !preview_.empty(); }
 
   private:
+    bool work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool);
     void draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);
     void redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality);
@@ -40,6 +45,7 @@ class PreviewPane {
     Preview preview_;
     Texture glow_;
     std::optional<glm::dvec3> pointed_at_;
+    bool tool_works_ = false;  // the held button is the tool's
     bool insist_on_best_ = false;
     bool stale_ = true;
     Scene drawn_scene_;

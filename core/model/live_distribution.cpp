@@ -19,7 +19,7 @@ const FacetDistribution* LiveDistribution::of(const Distribution& distribution) 
         models_ = std::move(models);
         ++revision_;
     }
-    return facets_ ? &*facets_ : nullptr;
+    return newest();
 }
 
 // The old one of an equal layer wherever it stood, the old one of this layer with a touch of the brush, or a

@@ -14,6 +14,9 @@ class LiveDistribution {
     // The pointer is valid until the next call.
     const FacetDistribution* of(const Distribution& distribution);
 
+    // What of() returned last.
+    const FacetDistribution* newest() const { return facets_ ? &*facets_ : nullptr; }
+
     // Rises whenever p changes.
     int revision() const { return revision_; }
 

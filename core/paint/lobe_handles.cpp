@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/model/facet_distribution.h"
+#include "core/paint/brush.h"
 
 namespace nacre {
 namespace {
@@ -82,6 +83,18 @@ void widen(Layer& layer, dvec3 from, dvec3 to) {
 }
 
 }  // namespace
+
+Layer carried(const Layer& layer, dvec3 from, dvec3 to) {
+    if (glm::dot(from, to) < -0.999) return layer;
+    const glm::dmat3 frame = shortest_rotation(from, to) * layer_frame(layer);
+    Layer result = layer;
+    lean(result, frame[2]);
+    // layer_frame() with no rotation, undone: what is left turns about the axis.
+    result.rotation = 0;
+    const glm::dmat3 left = glm::transpose(layer_frame(result)) * frame;
+    result.rotation = std::atan2(left[0].y, left[0].x) * degrees;
+    return result;
+}
 
 bool has_outline(const Layer& layer) {
     return has_widths(layer.lobe) || std::holds_alternative<PaintedLobe>(layer.lobe);

@@ -38,4 +38,7 @@ bool outline_turns(const Layer& layer);
 // or an end follows `to` itself. A Gaussian's end pulled to the horizon becomes infinite.
 Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to);
 
+// The layer carried along by the shortest rotation from one unit vector to another, as a rigid body.
+Layer carried(const Layer& layer, dvec3 from, dvec3 to);
+
 }  // namespace nacre

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/model/facet_distribution.h"
+#include "core/paint/brush.h"
 #include "tests/core/random_directions.h"
 
 using namespace nacre;
@@ -59,6 +60,23 @@ TEST_CASE("handles: a pulled handle goes where it is pulled") {
                 CHECK(wider.tilt == layer.tilt);
             }
         }
+}
+
+TEST_CASE("handles: a carried layer moves as a rigid body, by the angle of the way") {
+    Random random(6);
+    for (int i = 0; i < 60; ++i) {
+        const Layer layer = layer_of(GaussianLobe{0.3, 0.1}, i % 5 == 0 ? 0 : 70 * uniform_random(random),
+                                     300 * uniform_random(random) - 150, 300 * uniform_random(random) - 150);
+        const dvec3 from = test::random_direction(random), to = test::random_direction(random);
+        const glm::dmat3 frame = layer_frame(layer), moved = layer_frame(carried(layer, from, to));
+        const glm::dmat3 expected = shortest_rotation(from, to) * frame;
+        for (int axis = 0; axis < 3; ++axis) CHECK(glm::length(moved[axis] - expected[axis]) < 1e-9);
+    }
+    const Layer upright = layer_of(GgxLobe{});
+    const double twenty = 20 * 3.14159265358979 / 180;
+    const Layer moved = carried(upright, {0, 0, 1}, {0, std::sin(twenty), std::cos(twenty)});
+    CHECK(moved.tilt == doctest::Approx(20));
+    CHECK(moved.azimuth == doctest::Approx(90));
 }
 
 TEST_CASE("handles: the outline turns a lobe and its ends stay as far apart") {

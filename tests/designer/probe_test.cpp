@@ -91,6 +91,58 @@ TEST_CASE("probe: a smiley that is stamped shines on the sphere where its facets
     CHECK(raster_value(raster.values, raster.width, {0, 0}) == 0);
 }
 
+TEST_CASE("sphere: the brush paints the facets that light what is pointed at, and Shift moves the light") {
+    Rig r;
+    r.play("wait\nclick \"Paint\"");
+    const Scene scene = r.designer().scene;
+    r.play("drag \"Preview\":0.45,0.4 \"Preview\":0.6,0.5 12");
+    CHECK(r.designer().scene == scene);
+    const auto& layers = r.designer().document.design.distribution.layers;
+    REQUIRE(layers.size() == 2);
+    const Raster& raster = *std::get<PaintedLobe>(layers[1].lobe).image.raster;
+    const glm::vec4 box = r.box("Preview");
+    const glm::ivec2 size(int(box.z - box.x), int(box.w - box.y));
+    for (const double t : {0.0, 0.5, 1.0}) {
+        const glm::dvec2 pixel = glm::dvec2(size) * glm::dvec2(0.45 + 0.15 * t, 0.4 + 0.1 * t);
+        const auto h = half_vector(scene, pixel, size);
+        REQUIRE(h);
+        CHECK(raster_value(raster.values, raster.width, disk_point(*h)) > 0.4);
+    }
+    r.play("key Ctrl+Z\nframes 2");
+    CHECK(r.designer().document.design.distribution.layers.size() == 1);
+    ImGui::GetIO().KeyShift = true;
+    r.play("drag \"Preview\":0.45,0.4 \"Preview\":0.6,0.5 5");
+    ImGui::GetIO().KeyShift = false;
+    CHECK(r.designer().scene != scene);
+    CHECK(r.designer().document.design.distribution.layers.size() == 1);
+}
+
+TEST_CASE("sphere: a highlight grabbed and dragged by 20 degrees moves by 20 degrees") {
+    Rig r;
+    r.play("wait\nclick \"Grab\"");
+    const Scene scene = r.designer().scene;
+    const glm::vec4 box = r.box("Preview");
+    const glm::ivec2 size(int(box.z - box.x), int(box.w - box.y));
+    const glm::dvec3 highlight = glm::normalize(light_direction(scene.light) + glm::dvec3(0, 0, 1));
+    const double unit = pixels_per_unit(scene, size);
+    const glm::dvec2 from(std::round(0.5 * size.x + unit * highlight.x),
+                          std::round(0.5 * size.y - unit * highlight.y));
+    glm::dvec2 to = from;  // along a row until the half vector has gone 20 degrees
+    const glm::dvec3 begin = *half_vector(scene, from, size);
+    const double twenty = 20 * 3.14159265358979 / 180;
+    while (std::acos(glm::dot(*half_vector(scene, to, size), begin)) < twenty) to.x += 1;
+    const auto place = [&](glm::dvec2 pixel) {
+        return std::to_string(pixel.x + static_cast<double>(box.x)) + " " +
+               std::to_string(pixel.y + static_cast<double>(box.y));
+    };
+    r.play("drag " + place(from) + " " + place(to) + " 10");
+    const Layer& layer = r.designer().document.design.distribution.layers[0];
+    CHECK(layer.tilt == doctest::Approx(20).epsilon(0.03));
+    CHECK(r.designer().scene == scene);
+    r.play("key Ctrl+Z\nframes 2");
+    CHECK(r.designer().document.design.distribution.layers[0].tilt == 0);
+}
+
 TEST_CASE("probe: what is pointed at on one side is known on the other") {
     Rig r;
     r.play("wait\nmove \"Preview\":0.5,0.5\nframes 2");
