@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "ui/canvas_grid.h"
 #include "ui/canvas_paint.h"
+#include "ui/canvas_path.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
@@ -198,6 +200,23 @@ void brush_row(CanvasState& state) {
     whole_number("Turns", "\u00d7 %.0f", turns_least, turns_most, size * 3.2f, state.symmetry.turns);
 }
 
+// What stands in place of the brush's numbers while there is no brush.
+void handles_row(const CanvasState& state, Distribution& distribution) {
+    const bool leans = state.mean && polar_angle(*state.mean) >= lean_noticed;
+    if (button("Straighten",
+               "Turn all layers together by the smallest angle that brings the mean normal to n. While it "
+               "leans, "
+               "facets on one side show more area than the surface has; Keep energy then counts none twice.",
+               leans))
+        straighten(distribution, *state.mean);
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
+    ImGui::TextUnformatted(state.tool == CanvasTool::grab ? "Drag a highlight, here or on the sphere."
+                                                          : "Drag a lobe's middle, ends or outline.");
+    ImGui::PopStyleColor();
+}
+
 void take_keys(CanvasState& state) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || ImGui::IsAnyMouseDown() ||
@@ -230,16 +249,10 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
         if (state.tool == CanvasTool::handles) state.tool = CanvasTool::paint;
     }
     view_buttons(state);
-    if (state.tool != CanvasTool::handles && state.tool != CanvasTool::grab) {
+    if (state.tool == CanvasTool::handles || state.tool == CanvasTool::grab)
+        handles_row(state, distribution);
+    else
         brush_row(state);
-        return;
-    }
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
-    ImGui::TextUnformatted(state.tool == CanvasTool::grab
-                               ? "Drag a highlight, here or on the sphere."
-                               : "Drag the chosen lobe by its middle, its ends or its outline.");
-    ImGui::PopStyleColor();
 }
 
 }  // namespace nacre::ui

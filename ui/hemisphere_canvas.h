@@ -65,6 +65,7 @@ struct CanvasState {
     std::optional<HeldBrush> held;
     std::optional<CarriedLayer> carried;
     std::function<std::optional<std::size_t>(dvec3)> strongest_layer;  // at a normal, if any has facets there
+    std::optional<dvec3> mean;    // of the facets' normals, in the frame before
     std::optional<dvec3> marked;  // by the preview: the normal of the facets that light what is pointed at
 };
 

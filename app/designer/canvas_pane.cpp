@@ -79,6 +79,7 @@ void CanvasPane::draw(Design& design, std::size_t& chosen) {
     const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, chosen);
     pointed_at_ = frame.cursor;
     const FacetDistribution* p = live_.of(design.distribution);
+    state.mean = p ? std::optional(p->mean()) : std::nullopt;
     Drawn wanted{.revision = live_.revision(),
                  .camera = state.camera,
                  .size = frame.view.size(),

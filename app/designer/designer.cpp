@@ -93,7 +93,7 @@ Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;
-    if (!designer.files.talking())
+    if (!designer.files.talking() && !designer.pictures.talking())
         if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
     const ui::MenuState menu{.can_undo = document.history.can_undo(),
                              .can_redo = document.history.can_redo(),
@@ -111,6 +111,8 @@ void draw_frame(Designer& designer) {
                  .preview = [&] { draw_preview(designer); },
                  .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
+    if (!designer.files.talking())
+        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();

@@ -146,8 +146,11 @@ Event parse_line(Line& line) {
         event.what = events::Frames{line.whole("a number of frames")};
     } else if (verb == "wait") {
         event.what = events::Wait{};
+    } else if (verb == "drop") {
+        event.what = events::Drop{line.quoted()};
     } else {
-        line.fail("is no event: move, down, up, click, drag, wheel, key, text, frames and wait are", verb);
+        line.fail("is no event: move, down, up, click, drag, wheel, key, text, frames, wait and drop are",
+                  verb);
     }
     return event;
 }

@@ -3,7 +3,7 @@
 //   move PLACE                       down left|right|middle      up left|right|middle
 //   click PLACE [left|right|middle]  drag PLACE PLACE [FRAMES]   wheel DY
 //   key Ctrl+S                       text "..."                  frames N
-//   wait                             # comment
+//   wait                             drop "FILE"                 # comment
 //
 // PLACE is `X Y` in pixels from the window's left top, or a widget by its name: "Weight" is its middle,
 // "Weight":0.2 a fifth of the way from its left, "Weight":0.2,0.9 also from its top. "Canvas":@30,45 is where
@@ -58,11 +58,14 @@ struct Frames {
     int count = 1;
 };
 struct Wait {};
+struct Drop {
+    std::string file;
+};
 }  // namespace events
 
 struct Event {
     std::variant<events::Move, events::Button, events::Click, events::Drag, events::Wheel, events::Key,
-                 events::Text, events::Frames, events::Wait>
+                 events::Text, events::Frames, events::Wait, events::Drop>
         what;
     int line = 0;
 };

@@ -100,6 +100,10 @@ void Stage::play(const Event& event, const std::string& file) {
         frame(false);
     } else if (const auto* frames = std::get_if<events::Frames>(&event.what)) {
         for (int i = 0; i < frames->count; ++i) frame(false);
+    } else if (const auto* drop = std::get_if<events::Drop>(&event.what)) {
+        designer_->pictures.offer(drop->file);
+        frame(false);
+        frame(false);
     } else {
         wait_for_bake();
     }

@@ -96,6 +96,10 @@ Layer carried(const Layer& layer, dvec3 from, dvec3 to) {
     return result;
 }
 
+void straighten(Distribution& distribution, dvec3 mean) {
+    for (Layer& layer : distribution.layers) layer = carried(layer, glm::normalize(mean), {0, 0, 1});
+}
+
 bool has_outline(const Layer& layer) {
     return has_widths(layer.lobe) || std::holds_alternative<PaintedLobe>(layer.lobe);
 }

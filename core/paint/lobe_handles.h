@@ -41,4 +41,7 @@ Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to);
 // The layer carried along by the shortest rotation from one unit vector to another, as a rigid body.
 Layer carried(const Layer& layer, dvec3 from, dvec3 to);
 
+// All layers carried along together by the shortest rotation that brings their mean normal to n.
+void straighten(Distribution& distribution, dvec3 mean);
+
 }  // namespace nacre

@@ -79,6 +79,22 @@ TEST_CASE("handles: a carried layer moves as a rigid body, by the angle of the w
     CHECK(moved.azimuth == doctest::Approx(90));
 }
 
+TEST_CASE("straighten: the mean normal comes to n, and the angles between facets stay") {
+    Distribution design;
+    design.layers = {layer_of(GaussianLobe{0.3, 0.1}, 30, 70, 10), layer_of(GgxLobe{0.2, 0.2}, 50, -20)};
+    design.layers[1].weight = 0.4;
+    const FacetDistribution before(design);
+    CHECK(std::hypot(before.mean().x, before.mean().y) > 0.2);
+    straighten(design, before.mean());
+    const FacetDistribution after(design);
+    CHECK(std::hypot(after.mean().x, after.mean().y) < 1e-6);
+    CHECK(glm::length(after.mean()) == doctest::Approx(glm::length(before.mean())).epsilon(1e-6));
+    const auto cosine = [](const FacetDistribution& p) {
+        return glm::dot(p.lobes()[0].frame[2], p.lobes()[1].frame[2]);
+    };
+    CHECK(cosine(after) == doctest::Approx(cosine(before)));
+}
+
 TEST_CASE("handles: the outline turns a lobe and its ends stay as far apart") {
     const Layer layer = layer_of(GaussianLobe{0.4, 0.1}, 30, 70, 10);
     REQUIRE(outline_turns(layer));

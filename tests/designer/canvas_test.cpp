@@ -91,6 +91,20 @@ TEST_CASE("canvas: a press on another layer's axis chooses it, a double click pu
     CHECK(r.layer(1).tilt == 0);
 }
 
+TEST_CASE("canvas: straighten brings the mean normal to n in one step, and then has nothing to do") {
+    Rig r;
+    r.layer(0).tilt = 30;
+    r.document().commit();
+    const Design leaning = r.document().design;
+    r.play("frames 2\nclick \"Straighten\"\nframes 2");
+    CHECK(r.layer(0).tilt < 0.5);
+    const Design straight = r.document().design;
+    r.play("click \"Straighten\"");
+    CHECK(r.document().design == straight);
+    r.play("key Ctrl+Z");
+    CHECK(r.document().design == leaning);
+}
+
 TEST_CASE("canvas: a place on the hemisphere is the canvas's alone") {
     Rig r;
     CHECK_THROWS_WITH_AS(r.play("move \"Preview\":@30,0"),

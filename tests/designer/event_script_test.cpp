@@ -34,9 +34,11 @@ TEST_CASE("event script: every event") {
         "text \"a \\\"quoted\\\" \\\\ word # here\"\n"
         "frames 12\n"
         "wait\n"
-        "move \"Canvas\":@30,-45",
+        "move \"Canvas\":@30,-45\n"
+        "drop \"a picture.png\"",
         "tour.txt");
-    REQUIRE(script.events.size() == 12);
+    REQUIRE(script.events.size() == 13);
+    CHECK(std::get<events::Drop>(script.events[12].what).file == "a picture.png");
     CHECK(std::get<events::Move>(script.events[11].what).to == Place{"Canvas", {30, -45}, true});
     CHECK(std::get<events::Move>(script.events[0].what).to.at == glm::vec2(10, 20.5f));
     CHECK(script.events[0].line == 2);
@@ -56,7 +58,8 @@ TEST_CASE("event script: every event") {
 
 TEST_CASE("event script: what is wrong is named with its line") {
     CHECK(complaint("wait\nfly 1 2") ==
-          "tour.txt: line 2: is no event: move, down, up, click, drag, wheel, key, text, frames and wait are "
+          "tour.txt: line 2: is no event: move, down, up, click, drag, wheel, key, text, frames, wait and "
+          "drop are "
           "(fly)");
     CHECK(complaint("move 1") == "tour.txt: line 1: needs a place's Y");
     CHECK(complaint("move 1 x") == "tour.txt: line 1: needs a place's Y (x)");
