@@ -13,7 +13,7 @@ namespace {
 
 constexpr float reach = 9;    // pixels within which a press takes a handle
 constexpr double apart = 11;  // pixels from the axis at the least, else an end cannot be told from it
-constexpr int outline_steps = 120;
+constexpr int outline_steps = 240;
 
 float scale() { return ImGui::GetFontSize() / 15; }
 
@@ -28,8 +28,8 @@ std::optional<dvec3> outline_under(const CanvasFrame& frame, const Layer& layer,
     if (!has_outline(layer)) return {};
     double nearest = static_cast<double>(reach * scale() * 0.8f);
     std::optional<dvec3> found;
-    for (int i = 0; i < 4 * outline_steps; ++i) {
-        const dvec3 h = outline_at(layer, i / (4.0 * outline_steps));
+    for (int i = 0; i < 2 * outline_steps; ++i) {
+        const dvec3 h = outline_at(layer, i / (2.0 * outline_steps));
         if (const double d = distance(frame, h, pixel); d < nearest) nearest = d, found = h;
     }
     return found;

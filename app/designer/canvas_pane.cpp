@@ -73,12 +73,12 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
     drawn_ = wanted;
 }
 
-void CanvasPane::draw(Design& design, std::size_t& chosen) {
-    show_below(design.distribution);
+void CanvasPane::draw(Design& design, ui::LayersView& layers) {
+    show_below(ui::shown(layers, design.distribution));
     state.strongest_layer = [this](dvec3 h) { return strongest_layer(h); };
-    const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, chosen);
+    const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, layers.chosen);
     pointed_at_ = frame.cursor;
-    const FacetDistribution* p = live_.of(design.distribution);
+    const FacetDistribution* p = live_.of(ui::shown(layers, design.distribution));
     state.mean = p ? std::optional(p->mean()) : std::nullopt;
     Drawn wanted{.revision = live_.revision(),
                  .camera = state.camera,
@@ -90,7 +90,7 @@ void CanvasPane::draw(Design& design, std::size_t& chosen) {
     const glm::vec2 covered(texels_ * drawn_.divisor);
     ui::end_canvas(state, frame,
                    {.design = &design.distribution,
-                    .chosen = chosen,
+                    .chosen = layers.chosen,
                     .p = p,
                     .picture = p ? texture : nullptr,
                     .picture_size = {covered.x, covered.y},

@@ -5,6 +5,7 @@
 #include "core/design/design.h"
 #include "core/model/live_distribution.h"
 #include "ui/hemisphere_canvas.h"
+#include "ui/layers_panel.h"
 
 namespace nacre {
 
@@ -13,8 +14,12 @@ class CanvasPane {
   public:
     ui::CanvasState state;
 
-    // Fills the current Dear ImGui window. `chosen` is the layer that the panel shows.
-    void draw(Design& design, std::size_t& chosen);
+    // Fills the current Dear ImGui window. `layers` says which of them is chosen, and which are shown.
+    void draw(Design& design, ui::LayersView& layers);
+
+    // p as the canvas showed it last, and a number that rises whenever it changes.
+    const FacetDistribution* distribution() const { return live_.newest(); }
+    int revision() const { return live_.revision(); }
 
     // From now on each picture is drawn with every pixel, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }

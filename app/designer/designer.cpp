@@ -55,6 +55,7 @@ void draw_panel(Designer& designer) {
         contents();
         ImGui::EndTabItem();
     };
+    designer.layers.thumbnails.update(designer.canvas.distribution(), designer.canvas.revision());
     tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
     tab("Material", [&] { draw_material(design); });
     tab("Light", [&] { scene_panel(designer.scene); });
@@ -105,18 +106,19 @@ void draw_frame(Designer& designer) {
         designer.preview.show(std::move(tables));
     }
     designer.canvas.state.marked = designer.preview.pointed_at();
-    draw_layout(designer.layout,
-                {.panel = [&] { draw_panel(designer); },
-                 .canvas = [&] { designer.canvas.draw(document.design, designer.layers.chosen); },
-                 .preview = [&] { draw_preview(designer); },
-                 .status = [&] { draw_status(designer); }});
+    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
+                                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
+                                  .preview = [&] { draw_preview(designer); },
+                                  .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
     if (!designer.files.talking())
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
-    designer.baker.want({.design = document.design, .albedo = designer.scene.ambient});
+    Design shown = document.design;
+    shown.distribution = ui::shown(designer.layers, document.design.distribution);
+    designer.baker.want({.design = std::move(shown), .albedo = designer.scene.ambient});
 }
 
 void perform(Designer& designer, ui::Command command) {

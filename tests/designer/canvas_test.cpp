@@ -105,6 +105,22 @@ TEST_CASE("canvas: straighten brings the mean normal to n in one step, and then 
     CHECK(r.document().design == leaning);
 }
 
+TEST_CASE("canvas: a layer shown alone is what is shown and baked") {
+    Rig r;
+    Layer leaning;
+    leaning.tilt = 50;
+    r.document().design.distribution.layers.push_back(leaning);
+    r.document().commit();
+    const Design before = r.document().design;
+    r.play("click \"Layer 2 solo\"\nwait");
+    REQUIRE(r.stage.designer().canvas.distribution());
+    CHECK(r.stage.designer().canvas.distribution()->lobes().size() == 1);
+    CHECK(r.document().design == before);
+    CHECK(!r.document().history.can_redo());
+    r.play("click \"Layer 2 solo\"\nwait");
+    CHECK(r.stage.designer().canvas.distribution()->lobes().size() == 2);
+}
+
 TEST_CASE("canvas: a place on the hemisphere is the canvas's alone") {
     Rig r;
     CHECK_THROWS_WITH_AS(r.play("move \"Preview\":@30,0"),
