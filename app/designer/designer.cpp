@@ -68,9 +68,10 @@ void draw_preview(Designer& designer) {
     ui::CanvasState& canvas = designer.canvas.state;
     const bool probing = canvas.tool == ui::CanvasTool::handles || canvas.tool == ui::CanvasTool::grab;
     const std::optional<dvec3>& there = designer.canvas.pointed_at();
-    // The brush's own mark must not hide what it paints.
-    const bool marking = !probing && !ImGui::IsAnyMouseDown();
-    const std::optional<dvec3> glow = there || !marking ? there : designer.preview.pointed_at();
+    // The brush's mark must not hide what it paints.
+    std::optional<dvec3> glow = there;
+    if (!probing && !there) glow = designer.preview.pointed_at();
+    if (!probing && ImGui::IsAnyMouseDown()) glow.reset();
     designer.preview.draw(designer.scene, glow, probing ? probe_radius : canvas.brush.radius,
                           [&](const ui::BrushSurface& sphere) {
                               return canvas.tool != ui::CanvasTool::handles &&

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr double strongest = 0.75;  // opacity
+constexpr double strongest = 0.6;  // opacity
 constexpr glm::u8vec3 colour{120, 235, 225};
 
 // As tangent_frame() of shaders/sphere.frag.
