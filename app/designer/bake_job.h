@@ -1,4 +1,4 @@
-// The bake on the worker: a draft within milliseconds, then the final tables.
+// The bake on the worker: a draft within milliseconds, then, once the design is settled, the final tables.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@ namespace nacre {
 struct BakeRequest {
     Design design;
     bool albedo = false;  // R is wanted even where no diffuse term reads it
+    bool settled = true;  // false while a hand still moves something: a draft will do
     bool operator==(const BakeRequest&) const = default;
 };
 
@@ -38,7 +39,8 @@ class BakeJob {
     void wait() const { job_.wait(); }
 
   private:
-    Baker baker_;  // only the worker calls it
+    Baker baker_;                         // only the worker calls it and reads the next
+    std::optional<BakeRequest> drafted_;  // whose draft was published last
     std::optional<BakeRequest> wanted_;
     std::string problem_;
     std::uint64_t asked_ = 0, answered_ = 0;

@@ -18,7 +18,8 @@
 namespace nacre {
 namespace {
 
-constexpr double probe_radius = 3;  // degrees of normals that glow while nothing is painted
+constexpr double rest_seconds = 0.2;  // of a held button without a change of p
+constexpr double probe_radius = 3;    // degrees of normals that glow while nothing is painted
 
 void draw_presets(Designer& designer) {
     std::vector<std::string> names;
@@ -87,6 +88,16 @@ void draw_status(const Designer& designer) {
                      .working = designer.baker.busy()});
 }
 
+// While p is dragged or painted a draft follows; what it rests on is baked to the end.
+void notice_rest(Designer& designer, const Distribution& shown) {
+    const double now = ImGui::GetTime();
+    if (shown != designer.last_shown) {
+        designer.last_shown = shown;
+        designer.changed_at = now;
+    }
+    designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
+}
+
 }  // namespace
 
 int interactive_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
@@ -119,7 +130,9 @@ void draw_frame(Designer& designer) {
     if (!ImGui::IsAnyItemActive()) document.commit();
     Design shown = document.design;
     shown.distribution = ui::shown(designer.layers, document.design.distribution);
-    designer.baker.want({.design = std::move(shown), .albedo = designer.scene.ambient});
+    notice_rest(designer, shown.distribution);
+    designer.baker.want(
+        {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
 }
 
 void perform(Designer& designer, ui::Command command) {

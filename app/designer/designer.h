@@ -36,6 +36,9 @@ struct Designer {
     Layout layout;
     ui::LayersView layers;
     std::vector<Preset> presets;
+    Distribution last_shown;  // p of the frame before, ...
+    double changed_at = 0;    // ... when it last changed, seconds on Dear ImGui's clock, ...
+    bool settled = true;      // ... and whether it rests, so that final tables are worth their time
     std::string tables_text;  // the shown tables, for the status line
 };
 

@@ -35,7 +35,9 @@ void Stage::play(const EventScript& script) {
 }
 
 void Stage::wait_for_bake() {
-    frame(false);  // submits what the last input changed
+    do {
+        frame(false);  // submits what the last input changed
+    } while (!designer_->settled);
     designer_->baker.wait();
     frame(false);
 }
