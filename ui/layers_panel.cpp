@@ -11,6 +11,7 @@
 #include "ui/item_map.h"
 #include "ui/list_row.h"
 #include "ui/lobe_kinds.h"
+#include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -32,20 +33,41 @@ std::string share_text(const Layer& layer, double total) {
     return text;
 }
 
-// One line of the list: on or off, the name, the share of facet area.
+// Shows a layer alone, or all of them again.
+void solo_button(LayersView& view, std::size_t index) {
+    const bool alone = view.solo == index;
+    ImGui::PushStyleColor(ImGuiCol_Button, alone ? ImVec4(palette::accent_dim) : ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, alone ? palette::accent_bright : palette::text_dim);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
+    if (ImGui::Button("S", ImVec2(ImGui::GetFrameHeight(), 0)))
+        view.solo = alone ? std::nullopt : std::optional(index);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
+    note_item("Layer " + std::to_string(index + 1) + " solo");
+    tooltip_for_item("Show this layer alone. The design stays as it is.");
+}
+
+// One line of the list: on or off, a picture, the name, the share of facet area, solo.
 bool layer_line(LayersView& view, Layers& layers, std::size_t index, double total, bool& dragged) {
     Layer& layer = layers[index];
     ImGui::PushID(static_cast<int>(index));
     bool changed = ImGui::Checkbox("##enabled", &layer.enabled);
     note_item("Layer " + std::to_string(index + 1) + " enabled");
     tooltip_for_item("Leave this layer in or out.");
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, side = ImGui::GetFrameHeight();
+    ImGui::SameLine(0, gap);
+    view.thumbnails.draw(index, ImGui::GetCursorScreenPos(), side);
+    ImGui::Dummy(ImVec2(side, side));
+    ImGui::SameLine(0, gap);
     list_row(("Layer " + std::to_string(index + 1)).c_str(), {.text = layer_title(layer),
                                                               .at_right = share_text(layer, total),
                                                               .chosen = view.chosen == index,
-                                                              .dimmed = !layer.enabled});
+                                                              .dimmed = !layer.enabled,
+                                                              .free_at_right = side + gap});
     if (ImGui::IsItemActivated()) view.chosen = index;
     dragged |= ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    ImGui::SameLine(0, gap);
+    solo_button(view, index);
     ImGui::PopID();
     return changed;
 }
@@ -57,6 +79,7 @@ void move_layer(LayersView& view, Layers& layers, std::size_t to) {
     else
         std::rotate(at(to), at(view.chosen), at(view.chosen) + 1);
     view.chosen = to;
+    view.solo.reset();
 }
 
 // The list; a dragged line goes where the pointer is.
@@ -134,12 +157,23 @@ bool list_buttons(LayersView& view, Layers& layers) {
 
 }  // namespace
 
+Distribution shown(const LayersView& view, const Distribution& distribution) {
+    Distribution result = distribution;
+    if (!view.solo || *view.solo >= result.layers.size() || !result.layers[*view.solo].enabled) return result;
+    for (std::size_t i = 0; i < result.layers.size(); ++i) result.layers[i].enabled = i == *view.solo;
+    if (result.layers[*view.solo].weight <= 0) result.layers[*view.solo].weight = 1;
+    return result;
+}
+
 bool layers_panel(LayersView& view, Distribution& distribution) {
     Layers& layers = distribution.layers;
     view.chosen = std::min(view.chosen, layers.empty() ? 0 : layers.size() - 1);
     bool changed = layer_lines(view, layers);
     ImGui::Spacing();
     changed |= list_buttons(view, layers);
+    // Also of what came or went elsewhere since the last frame.
+    if (layers.size() != view.count) view.solo.reset();
+    view.count = layers.size();
     ImGui::Spacing();
     if (!layers.empty()) {
         ImGui::PushID(static_cast<int>(view.chosen));

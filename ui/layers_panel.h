@@ -2,16 +2,24 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "core/design/design.h"
+#include "ui/layer_thumbnail.h"
 
 namespace nacre::ui {
 
 // What the panel remembers between frames; no part of the document.
 struct LayersView {
     std::size_t chosen = 0;
+    std::optional<std::size_t> solo;  // a layer that is shown alone; ends where layers come, go or move
+    std::size_t count = 0;            // of layers in the frame before
+    LayerThumbnails thumbnails;
 };
+
+// The layers as they are shown: all of them, or with one alone.
+Distribution shown(const LayersView& view, const Distribution& distribution);
 
 // Returns whether the distribution changed.
 bool layers_panel(LayersView& view, Distribution& distribution);

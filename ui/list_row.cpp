@@ -9,8 +9,8 @@ namespace nacre::ui {
 
 bool list_row(const char* name, const ListRow& row) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const bool clicked =
-        ImGui::InvisibleButton("row", ImVec2(ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()));
+    const bool clicked = ImGui::InvisibleButton(
+        "row", ImVec2(ImGui::GetContentRegionAvail().x - row.free_at_right, ImGui::GetFrameHeight()));
     note_item(name);
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();

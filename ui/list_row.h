@@ -10,9 +10,10 @@ struct ListRow {
     std::string at_right;
     bool chosen = false;
     bool dimmed = false;
+    float free_at_right = 0;  // pixels of the line
 };
 
-// Fills the rest of the line. Returns whether it was clicked.
+// Fills the rest of the line but for what is kept free. Returns whether it was clicked.
 bool list_row(const char* name, const ListRow& row);
 
 }  // namespace nacre::ui

@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "ui/dialogs.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -11,7 +13,10 @@ std::optional<int> question(const char* title, const std::string& text,
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 centre = ImGui::GetMainViewport()->GetCenter();
     ImGui::SetNextWindowPos(centre, ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    const float width = ImGui::GetFontSize() * 28;
+    const float button_width = ImGui::GetFontSize() * 7;
+    const auto count = static_cast<float>(buttons.size());
+    const float total = count * button_width + (count - 1) * ImGui::GetStyle().ItemSpacing.x;
+    const float width = std::max(ImGui::GetFontSize() * 28, total + 36);
     ImGui::SetNextWindowSize(ImVec2(width, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(18, 16));
     const bool open =
@@ -21,9 +26,6 @@ std::optional<int> question(const char* title, const std::string& text,
     std::optional<int> answer;
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::Dummy(ImVec2(0, ImGui::GetFontSize() * 0.6f));
-    const float button_width = ImGui::GetFontSize() * 7;
-    const auto count = static_cast<float>(buttons.size());
-    const float total = count * button_width + (count - 1) * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - total);
     for (std::size_t i = 0; i < buttons.size(); ++i) {
         if (i > 0) ImGui::SameLine();

@@ -23,7 +23,7 @@ float fraction(const SliderSpec& spec, double value) {
 
 }  // namespace
 
-void slider_bar(const SliderSpec& spec, double& value) {
+void slider_bar(const SliderSpec& spec, double& value, bool marked) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::CalcItemWidth();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -41,8 +41,9 @@ void slider_bar(const SliderSpec& spec, double& value) {
     list.AddRectFilled({std::min(origin, x), low.y}, {std::max(origin, x), high.y},
                        ImGui::GetColorU32(palette::accent_dim), style.FrameRounding);
     const float half = std::max(1.0f, std::round(ImGui::GetFontSize() / 15)) * 1.0f;
-    list.AddRectFilled({x - half, low.y + 2}, {x + half, high.y - 2},
-                       ImGui::GetColorU32(hovered ? palette::accent_bright : palette::accent), half);
+    if (marked)
+        list.AddRectFilled({x - half, low.y + 2}, {x + half, high.y - 2},
+                           ImGui::GetColorU32(hovered ? palette::accent_bright : palette::accent), half);
 
     for (const ImGuiCol colour : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
                                   ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})

@@ -22,6 +22,7 @@ inline constexpr Colour line{0.215f, 0.222f, 0.240f, 1};
 inline constexpr Colour accent{0.46f, 0.72f, 0.70f, 1};
 inline constexpr Colour accent_bright{0.58f, 0.83f, 0.80f, 1};
 inline constexpr Colour accent_dim{0.235f, 0.345f, 0.345f, 1};
+inline constexpr Colour green{0.45f, 0.80f, 0.45f, 1};
 inline constexpr Colour amber{0.93f, 0.73f, 0.42f, 1};
 inline constexpr Colour red{0.94f, 0.50f, 0.46f, 1};
 }  // namespace palette

@@ -17,13 +17,17 @@ using Job = LatestJob<BakeRequest, std::shared_ptr<const Tables>>;
 // inherit it.
 constexpr int worker_niceness = 10;
 
-void bake_twice(Baker& baker, const BakeRequest& request, const std::stop_token& stop,
-                const Job::Publish& publish, int threads) {
+// `drafted` is the request whose draft was published last: it needs no other.
+void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeRequest& request,
+                const std::stop_token& stop, const Job::Publish& publish, int threads) {
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness);
     check_design(request.design, "design");
     for (const Quality quality : {Quality::draft, Quality::final}) {
+        const bool same = drafted && drafted->design == request.design && drafted->albedo == request.albedo;
+        if (quality == Quality::draft ? same : !request.settled) continue;
         const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
         publish(baker.bake(request.design, options, stop));
+        if (quality == Quality::draft) drafted = request;
         if (stop.stop_requested()) return;
     }
 }
@@ -44,18 +48,19 @@ std::string plain_words(const std::exception_ptr& error) {
 BakeJob::BakeJob(int threads)
     : job_([this, threads](const BakeRequest& request, const std::stop_token& stop,
                            const Job::Publish& publish) {
-          bake_twice(baker_, request, stop, publish, threads);
+          bake_twice(baker_, drafted_, request, stop, publish, threads);
       }) {}
 
 void BakeJob::want(const BakeRequest& request) {
     if (wanted_ == request) return;
     wanted_ = request;
-    job_.submit(request);
+    asked_ = job_.submit(request);
 }
 
 std::shared_ptr<const Tables> BakeJob::poll() {
     const auto published = job_.poll();
     if (!published) return nullptr;
+    answered_ = published->revision;
     problem_ = published->error ? plain_words(published->error) : std::string();
     return published->result.value_or(nullptr);
 }

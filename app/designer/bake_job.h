@@ -1,6 +1,7 @@
-// The bake on the worker: a draft within milliseconds, then the final tables.
+// The bake on the worker: a draft within milliseconds, then, once the design is settled, the final tables.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ namespace nacre {
 struct BakeRequest {
     Design design;
     bool albedo = false;  // R is wanted even where no diffuse term reads it
+    bool settled = true;  // false while a hand still moves something: a draft will do
     bool operator==(const BakeRequest&) const = default;
 };
 
@@ -30,12 +32,18 @@ class BakeJob {
     // Why the newest finished request was refused, in plain words; empty when it was not.
     const std::string& problem() const { return problem_; }
     bool busy() const { return job_.busy(); }
+
+    // Numbers of the newest request and of the one that the last polled tables are for.
+    std::uint64_t asked() const { return asked_; }
+    std::uint64_t answered() const { return answered_; }
     void wait() const { job_.wait(); }
 
   private:
-    Baker baker_;  // only the worker calls it
+    Baker baker_;                         // only the worker calls it and reads the next
+    std::optional<BakeRequest> drafted_;  // whose draft was published last
     std::optional<BakeRequest> wanted_;
     std::string problem_;
+    std::uint64_t asked_ = 0, answered_ = 0;
     LatestJob<BakeRequest, std::shared_ptr<const Tables>> job_;
 };
 

@@ -18,6 +18,9 @@
 namespace nacre {
 namespace {
 
+constexpr double rest_seconds = 0.2;  // of a held button without a change of p
+constexpr double probe_radius = 3;    // degrees of normals that glow while nothing is painted
+
 void draw_presets(Designer& designer) {
     std::vector<std::string> names;
     std::optional<std::size_t> current;
@@ -29,40 +32,53 @@ void draw_presets(Designer& designer) {
         designer.files.open_preset(designer.document, designer.presets[*clicked].file);
 }
 
-void draw_left(Designer& designer) {
-    if (!ImGui::BeginTabBar("left tabs")) return;
-    const bool layers_open = ImGui::BeginTabItem("Layers");
-    ui::note_item("Layers");
-    if (layers_open) {
+void draw_material(Design& design) {
+    ui::text_field("Name##Design name", design.name, "Untitled", "The design's name.");
+    ImGui::Spacing();
+    ui::fresnel_panel(design.fresnel);
+    ImGui::Spacing();
+    ui::diffuse_panel(design.diffuse);
+    ImGui::Spacing();
+    ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
+    ImGui::Spacing();
+    ui::heading("Note");
+    ui::note_field(design.note);
+}
+
+void draw_panel(Designer& designer) {
+    Design& design = designer.document.design;
+    if (!ImGui::BeginTabBar("tabs")) return;
+    const auto tab = [](const char* label, const auto& contents) {
+        const bool open = ImGui::BeginTabItem(label);
+        ui::note_item(label);
+        if (!open) return;
         ImGui::Spacing();
-        ui::layers_panel(designer.layers, designer.document.design.distribution);
+        contents();
         ImGui::EndTabItem();
-    }
-    const bool presets_open = ImGui::BeginTabItem("Presets");
-    ui::note_item("Presets");
-    if (presets_open) {
-        ImGui::Spacing();
-        draw_presets(designer);
-        ImGui::EndTabItem();
-    }
+    };
+    designer.layers.thumbnails.update(designer.canvas.distribution(), designer.canvas.revision());
+    tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
+    tab("Material", [&] { draw_material(design); });
+    tab("Light", [&] { scene_panel(designer.scene); });
+    tab("Presets", [&] { draw_presets(designer); });
     ImGui::EndTabBar();
 }
 
-void draw_right(Designer& designer) {
-    Design& design = designer.document.design;
-    if (ui::section("Material")) {
-        ui::text_field("Name##Design name", design.name, "Untitled", "The design's name.");
-        ImGui::Spacing();
-        ui::fresnel_panel(design.fresnel);
-        ImGui::Spacing();
-        ui::diffuse_panel(design.diffuse);
-        ImGui::Spacing();
-        ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
-        ImGui::Spacing();
-    }
-    if (ui::section("Light and camera")) scene_panel(designer.scene);
-    ImGui::Spacing();
-    if (ui::section("Note")) ui::note_field(design.note);
+// The tools of the canvas work on the sphere too, but for the handles: those leave the light to the pointer.
+void draw_preview(Designer& designer) {
+    ui::CanvasState& canvas = designer.canvas.state;
+    const bool probing = canvas.tool == ui::CanvasTool::handles || canvas.tool == ui::CanvasTool::grab;
+    const std::optional<dvec3>& there = designer.canvas.pointed_at();
+    // The brush's mark must not hide what it paints.
+    std::optional<dvec3> glow = there;
+    if (!probing && !there) glow = designer.preview.pointed_at();
+    if (!probing && ImGui::IsAnyMouseDown()) glow.reset();
+    designer.preview.draw(designer.scene, glow, probing ? probe_radius : canvas.brush.radius,
+                          [&](const ui::BrushSurface& sphere) {
+                              return canvas.tool != ui::CanvasTool::handles &&
+                                     ui::use_tool(canvas, sphere, designer.document.design.distribution,
+                                                  designer.layers.chosen);
+                          });
 }
 
 void draw_status(const Designer& designer) {
@@ -70,6 +86,16 @@ void draw_status(const Designer& designer) {
                      .message = designer.files.message(),
                      .problem = designer.baker.problem(),
                      .working = designer.baker.busy()});
+}
+
+// While p is dragged or painted a draft follows; what it rests on is baked to the end.
+void notice_rest(Designer& designer, const Distribution& shown) {
+    const double now = ImGui::GetTime();
+    if (shown != designer.last_shown) {
+        designer.last_shown = shown;
+        designer.changed_at = now;
+    }
+    designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
 }
 
 }  // namespace
@@ -80,7 +106,7 @@ Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;
-    if (!designer.files.talking())
+    if (!designer.files.talking() && !designer.pictures.talking())
         if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
     const ui::MenuState menu{.can_undo = document.history.can_undo(),
                              .can_redo = document.history.can_redo(),
@@ -91,15 +117,22 @@ void draw_frame(Designer& designer) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }
-    draw_layout(designer.layout, {.left = [&] { draw_left(designer); },
-                                  .centre = [&] { designer.preview.draw(designer.scene); },
-                                  .right = [&] { draw_right(designer); },
+    designer.canvas.state.marked = designer.preview.pointed_at();
+    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
+                                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
+                                  .preview = [&] { draw_preview(designer); },
                                   .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
+    if (!designer.files.talking())
+        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
-    designer.baker.want({.design = document.design, .albedo = designer.scene.ambient});
+    Design shown = document.design;
+    shown.distribution = ui::shown(designer.layers, document.design.distribution);
+    notice_rest(designer, shown.distribution);
+    designer.baker.want(
+        {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
 }
 
 void perform(Designer& designer, ui::Command command) {

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "app/designer/bake_job.h"
+#include "app/designer/canvas_pane.h"
 #include "app/designer/document.h"
 #include "app/designer/file_flow.h"
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
+#include "app/designer/picture_drop.h"
 #include "app/designer/preview_pane.h"
 #include "app/preview/scene.h"
 #include "ui/commands.h"
@@ -28,10 +30,15 @@ struct Designer {
     Scene scene;
     BakeJob baker;
     PreviewPane preview;
+    CanvasPane canvas;
     FileFlow files;
+    PictureDrop pictures;
     Layout layout;
     ui::LayersView layers;
     std::vector<Preset> presets;
+    Distribution last_shown;  // p of the frame before, ...
+    double changed_at = 0;    // ... when it last changed, seconds on Dear ImGui's clock, ...
+    bool settled = true;      // ... and whether it rests, so that final tables are worth their time
     std::string tables_text;  // the shown tables, for the status line
 };
 

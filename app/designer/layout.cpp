@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/status_line.h"
 #include "ui/theme.h"
@@ -10,25 +11,44 @@
 namespace nacre {
 namespace {
 
-constexpr float share_most = 0.32f;  // of the window's breadth for one side panel: the picture stays largest
+constexpr float panel_most = 0.4f;                        // of the window's breadth
+constexpr float canvas_least = 0.2f, canvas_most = 0.8f;  // of the breadth beside the panel
+constexpr float canvas_usual = 0.5f;
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-// A side panel: its inner border can be dragged. Returns its breadth.
-float side_panel(const char* name, bool at_right, float breadth, float top, float height,
-                 const std::function<void()>& contents) {
-    const float window = ImGui::GetMainViewport()->Size.x;
-    const float most = std::max(window * share_most, 1.0f);
-    const float least = std::min(ui::panel_width() * 0.8f, most);
-    ImGui::SetNextWindowPos(ImVec2(at_right ? window : 0, top), ImGuiCond_Always,
-                            ImVec2(at_right ? 1.0f : 0.0f, 0));
-    ImGui::SetNextWindowSize(ImVec2(breadth, height), ImGuiCond_Once);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(least, height), ImVec2(most, height));
-    ImGui::Begin(name, nullptr, fixed);
+// The breadths that the right border of a column can be dragged to.
+struct Breadth {
+    float now, least, most;
+};
+
+// A column of the window. Returns its breadth.
+float column(const char* name, float left, float top, float height, const Breadth& breadth,
+             const std::function<void()>& contents) {
+    ImGui::SetNextWindowPos(ImVec2(left, top));
+    ImGui::SetNextWindowSize(ImVec2(breadth.now, height),
+                             ImGui::IsAnyMouseDown() ? ImGuiCond_Once : ImGuiCond_Always);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(breadth.least, height), ImVec2(breadth.most, height));
+    ImGui::Begin(name, nullptr, fixed | ImGuiWindowFlags_NoScrollWithMouse * (breadth.least == breadth.most));
     contents();
     const float now = ImGui::GetWindowWidth();
     ImGui::End();
+    return now;
+}
+
+// A column that a picture fills to its edges.
+float picture_column(const char* name, float left, float top, float height, const Breadth& breadth,
+                     const std::function<void()>& contents) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette::canvas);
+    const float now = column(name, left, top, height, breadth, [&] {
+        ImGui::PopStyleVar();
+        contents();
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    });
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
     return now;
 }
 
@@ -39,21 +59,19 @@ void draw_layout(Layout& layout, const Parts& parts) {
     const float top = ImGui::GetFrameHeight();
     const float bottom = ui::status_height();
     const float height = std::max(window.y - top - bottom, 1.0f);
-    if (layout.left <= 0) layout.left = layout.right = ui::panel_width();
-    layout.left = side_panel("Left", false, layout.left, top, height, parts.left);
-    layout.right = side_panel("Right", true, layout.right, top, height, parts.right);
-
-    ImGui::SetNextWindowPos(ImVec2(layout.left, top));
-    ImGui::SetNextWindowSize(ImVec2(std::max(window.x - layout.left - layout.right, 1.0f), height));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette::canvas);
-    ImGui::Begin("Centre", nullptr,
-                 fixed | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
-                     ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
-    parts.centre();
-    ImGui::End();
-    ImGui::PopStyleColor();
+    if (layout.panel <= 0) {
+        layout.panel = ui::panel_width();
+        layout.canvas = canvas_usual;
+    }
+    const float most = std::max(window.x * panel_most, 1.0f);
+    const Breadth panel{layout.panel, std::min(ui::panel_width() * 0.8f, most), most};
+    layout.panel = column("Panel", 0, top, height, panel, parts.panel);
+    const float beside = std::max(window.x - layout.panel, 2.0f);
+    const Breadth canvas{std::round(beside * layout.canvas), beside * canvas_least, beside * canvas_most};
+    const float breadth = picture_column("CanvasColumn", layout.panel, top, height, canvas, parts.canvas);
+    if (std::abs(breadth - canvas.now) > 0.5f) layout.canvas = breadth / beside;
+    const float left = layout.panel + breadth, rest = std::max(window.x - left, 1.0f);
+    picture_column("PreviewColumn", left, top, height, {rest, rest, rest}, parts.preview);
 
     ImGui::SetNextWindowPos(ImVec2(0, window.y - bottom));
     ImGui::SetNextWindowSize(ImVec2(window.x, bottom));

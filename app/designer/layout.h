@@ -1,5 +1,5 @@
-// Where the parts of the window stand: a panel at each side that can be made broader, the picture
-// between them, menu above, status below.
+// Where the parts of the window stand: a panel at the left, the canvas beside it, the preview at the right,
+// menu above, status below. The borders between them can be dragged.
 #pragma once
 
 #include <functional>
@@ -7,14 +7,14 @@
 namespace nacre {
 
 struct Layout {
-    float left = 0;  // breadths, pixels; 0 until the first frame
-    float right = 0;
+    float panel = 0;   // breadth, pixels; 0 until the first frame
+    float canvas = 0;  // part of the breadth beside the panel
 };
 
 struct Parts {
-    std::function<void()> left;
-    std::function<void()> centre;
-    std::function<void()> right;
+    std::function<void()> panel;
+    std::function<void()> canvas;
+    std::function<void()> preview;
     std::function<void()> status;
 };
 

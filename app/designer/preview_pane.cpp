@@ -10,19 +10,22 @@
 
 #include "app/designer/preview_mouse.h"
 #include "app/gl/gl.h"
+#include "app/preview/probe.h"
 #include "ui/item_map.h"
 #include "ui/widgets.h"
 
 namespace nacre {
 namespace {
 
+constexpr int glow_divisor = 4;        // pixels a texel: the glow is soft
 constexpr double rest_seconds = 0.12;  // without a change until the picture is drawn finely
 
-void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size) {
+void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 scale = io.DisplayFramebufferScale;
     if (ImGui::IsItemActive()) {
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            if (left_is_taken) return;
             const glm::dvec2 pixel((io.MousePos.x - corner.x) * scale.x,
                                    (io.MousePos.y - corner.y) * scale.y);
             move_light_to(scene, pixel, {int(size.x * scale.x), int(size.y * scale.y)});
@@ -40,7 +43,7 @@ void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     stale_ = true;
 }
 
-void PreviewPane::draw(Scene& scene) {
+void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool) {
     const ImVec2 size = ImGui::GetContentRegionAvail();
     if (size.x < 1 || size.y < 1) return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -48,13 +51,46 @@ void PreviewPane::draw(Scene& scene) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui::note_item("Preview");
-    handle_mouse(scene, corner, size);
+    const bool taken = work(scene, corner, size, tool);
+    handle_mouse(scene, corner, size, taken);
     if (preview_.empty()) return;
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     redraw_if_needed(scene, {int(size.x * scale.x), int(size.y * scale.y)});
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(preview_.texture()));
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
     ImGui::GetWindowDrawList()->AddImage(texture, corner, end, ImVec2(0, 1), ImVec2(1, 0));
+    if (glow) draw_glow(scene, *glow, radius, corner, size);
+}
+
+// What the pointer on the sphere means to the canvas's tool. Returns whether the left button is the tool's.
+bool PreviewPane::work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto normal = [&](glm::dvec2 pixel) {
+        return half_vector(scene, pixel, {int(size.x), int(size.y)});
+    };
+    const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
+    const bool hovered = ImGui::IsItemHovered();
+    pointed_at_ = hovered ? normal(pixel) : std::nullopt;
+    if (io.KeyShift && !tool_works_) return false;
+    const bool taken = tool({.surface = ui::Surface::sphere,
+                             .hovered = hovered,
+                             .active = ImGui::IsItemActive(),
+                             .pointed_at = pointed_at_,
+                             .pixel = pixel,
+                             .normal = normal});
+    // A drag that began as the tool's stays so, and one that began with the light moves the light.
+    if (ImGui::IsItemActivated()) tool_works_ = taken && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (!ImGui::IsItemActive()) tool_works_ = false;
+    return tool_works_;
+}
+
+void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size) {
+    const Glow glow = glow_of(scene, {int(size.x), int(size.y)}, h, radius, glow_divisor);
+    glow_.store(glow.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, glow.rgba.data(), GL_LINEAR);
+    const glm::vec2 covered(glow.size * glow_divisor);
+    ImGui::GetWindowDrawList()->AddImage(
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(glow_.name())), corner,
+        ImVec2(corner.x + covered.x, corner.y + covered.y));
 }
 
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {

@@ -1,12 +1,18 @@
 // The picture in the middle of the window, and what the mouse does on it.
 #pragma once
 
+#include <imgui.h>
+
+#include <functional>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 
 #include "app/designer/draw_quality.h"
 #include "app/preview/preview.h"
 #include "app/preview/scene.h"
+#include "ui/brush_surface.h"
 
 namespace nacre {
 
@@ -17,7 +23,13 @@ class PreviewPane {
 
     // Fills the current Dear ImGui window. Left drag moves the light, right or middle drag orbits, the
     // wheel zooms. Draws anew only what changed.
-    void draw(Scene& scene);
+    // `glow` is a normal whose facets' light shines out, for about `radius` degrees around it.
+    // `tool` takes the left button where it says so; with Shift the light moves all the same.
+    using Tool = std::function<bool(const ui::BrushSurface&)>;
+    void draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool);
+
+    // The normal of the facets that light the pixel under the pointer.
+    const std::optional<glm::dvec3>& pointed_at() const { return pointed_at_; }
 
     // From now on each picture is drawn as finely as can be, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }
@@ -25,10 +37,15 @@ class PreviewPane {
     bool has_picture() const { return !preview_.empty(); }
 
   private:
+    bool work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool);
+    void draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);
     void redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality);
 
     Preview preview_;
+    Texture glow_;
+    std::optional<glm::dvec3> pointed_at_;
+    bool tool_works_ = false;  // the held button is the tool's
     bool insist_on_best_ = false;
     bool stale_ = true;
     Scene drawn_scene_;

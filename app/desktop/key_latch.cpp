@@ -20,10 +20,15 @@ KeyLatch::KeyLatch(GLFWwindow* window) : window_(window) {
         latch->modifiers_ = modifiers;
         latch->any_pressed_ = true;
     });
+    glfwSetDropCallback(window, [](GLFWwindow* from, int count, const char** files) {
+        auto* latch = static_cast<KeyLatch*>(glfwGetWindowUserPointer(from));
+        latch->dropped_.insert(latch->dropped_.end(), files, files + count);
+    });
 }
 
 KeyLatch::~KeyLatch() {
     glfwSetKeyCallback(window_, nullptr);
+    glfwSetDropCallback(window_, nullptr);
     glfwSetWindowUserPointer(window_, nullptr);
 }
 

@@ -1,8 +1,11 @@
-// Keys that go down and up again between two frames, or outlive their modifiers. Dear ImGui 1.86 looks only
-// at what is down when a frame begins and would miss them where frames are slow.
+// What GLFW tells between two frames and Dear ImGui 1.86 has no ear for: files dropped on the window, and
+// keys that go down and up again, or outlive their modifiers, which it would miss where frames are slow.
 #pragma once
 
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -20,12 +23,16 @@ class KeyLatch {
     void press_missed();
     void release_missed();
 
+    // Paths of the files dropped since the last call.
+    std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
+
   private:
     static constexpr int keys = 349;  // GLFW_KEY_LAST + 1
 
     GLFWwindow* window_;
     std::array<bool, keys> pressed_{};  // since the last frame
     std::array<bool, keys> held_here_{};
+    std::vector<std::string> dropped_;
     bool any_pressed_ = false;  // of those that are no modifiers
     int modifiers_ = 0;         // while the newest of them went down; may be up again by now
 };

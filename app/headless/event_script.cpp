@@ -67,16 +67,23 @@ class Line {
     Place place() {
         if (rest_.empty() || rest_[0] != '"') {
             const float x = real("a place: X Y or \"WIDGET\"");
-            return {.widget = {}, .at = {x, real("a place's Y")}};
+            return {.widget = {}, .at = {x, real("a place's Y")}, .polar = false};
         }
         Place place{.widget = quoted()};
         if (place.widget.empty()) fail("has an empty widget name");
         if (!rest_.empty() && rest_[0] == ':') {
-            const std::string_view fractions = word("a fraction after the colon").substr(1);
+            std::string_view fractions = word("a fraction after the colon").substr(1);
+            if (fractions.starts_with('@')) {
+                place.polar = true;
+                place.at = {0, 0};
+                fractions.remove_prefix(1);
+            }
             const auto comma = fractions.find(',');
-            place.at.x = parse_real(fractions.substr(0, comma), "a fraction of the widget's breadth");
+            place.at.x = parse_real(fractions.substr(0, comma),
+                                    place.polar ? "a polar angle" : "a fraction of the widget's breadth");
             if (comma != std::string_view::npos)
-                place.at.y = parse_real(fractions.substr(comma + 1), "a fraction of the widget's height");
+                place.at.y = parse_real(fractions.substr(comma + 1),
+                                        place.polar ? "an azimuth" : "a fraction of the widget's height");
         }
         skip_spaces();
         return place;
@@ -139,8 +146,11 @@ Event parse_line(Line& line) {
         event.what = events::Frames{line.whole("a number of frames")};
     } else if (verb == "wait") {
         event.what = events::Wait{};
+    } else if (verb == "drop") {
+        event.what = events::Drop{line.quoted()};
     } else {
-        line.fail("is no event: move, down, up, click, drag, wheel, key, text, frames and wait are", verb);
+        line.fail("is no event: move, down, up, click, drag, wheel, key, text, frames, wait and drop are",
+                  verb);
     }
     return event;
 }

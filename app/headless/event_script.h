@@ -3,11 +3,12 @@
 //   move PLACE                       down left|right|middle      up left|right|middle
 //   click PLACE [left|right|middle]  drag PLACE PLACE [FRAMES]   wheel DY
 //   key Ctrl+S                       text "..."                  frames N
-//   wait                             # comment
+//   wait                             drop "FILE"                 # comment
 //
 // PLACE is `X Y` in pixels from the window's left top, or a widget by its name: "Weight" is its middle,
-// "Weight":0.2 a fifth of the way from its left, "Weight":0.2,0.9 also from its top. In quotes a backslash
-// takes the next character as it is. `wait` goes on when the bake is done.
+// "Weight":0.2 a fifth of the way from its left, "Weight":0.2,0.9 also from its top. "Canvas":@30,45 is where
+// the canvas shows the facet normal of theta 30 and phi 45 degrees. In quotes a backslash takes the next
+// character as it is. `wait` goes on when the bake is done. docs/event-scripts.md tells more.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -23,6 +24,7 @@ namespace nacre {
 struct Place {
     std::string widget;        // empty: `at` is in pixels
     glm::vec2 at{0.5f, 0.5f};  // of the widget's breadth and height
+    bool polar = false;        // `at` is theta and phi of a normal instead, degrees
     bool operator==(const Place&) const = default;
 };
 
@@ -56,11 +58,14 @@ struct Frames {
     int count = 1;
 };
 struct Wait {};
+struct Drop {
+    std::string file;
+};
 }  // namespace events
 
 struct Event {
     std::variant<events::Move, events::Button, events::Click, events::Drag, events::Wheel, events::Key,
-                 events::Text, events::Frames, events::Wait>
+                 events::Text, events::Frames, events::Wait, events::Drop>
         what;
     int line = 0;
 };

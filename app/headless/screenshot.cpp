@@ -23,6 +23,7 @@ Screenshot screenshot(const ScreenshotOptions& options) {
     stage.play(script);
     stage.wait_for_bake();
     stage.designer().preview.insist_on_best();
+    stage.designer().canvas.insist_on_best();
     stage.frame();
     return {.size = stage.size(), .rgba = stage.pixels()};
 }

@@ -6,6 +6,7 @@
 
 #include "app/gl/gl.h"
 #include "core/design/error.h"
+#include "ui/canvas_path.h"
 
 namespace nacre {
 
@@ -34,7 +35,9 @@ void Stage::play(const EventScript& script) {
 }
 
 void Stage::wait_for_bake() {
-    frame(false);  // submits what the last input changed
+    do {
+        frame(false);  // submits what the last input changed
+    } while (!designer_->settled);
     designer_->baker.wait();
     frame(false);
 }
@@ -56,6 +59,14 @@ glm::vec2 Stage::pixel_of(const Place& place, const std::string& file, int line)
     if (!box)
         throw UserError(file, "line " + std::to_string(line), "no widget of this name is on the screen",
                         place.widget);
+    if (place.polar) {
+        if (place.widget != "Canvas")
+            throw UserError(file, "line " + std::to_string(line), "only the canvas shows normals",
+                            place.widget);
+        const HemisphereView view(designer_->canvas.state.camera, {box->z - box->x, box->w - box->y});
+        const glm::vec2 at(view.pixel(ui::polar_direction(place.at.x, place.at.y)));
+        return {box->x + at.x, box->y + at.y};
+    }
     return {box->x + place.at.x * (box->z - box->x), box->y + place.at.y * (box->w - box->y)};
 }
 
@@ -91,6 +102,10 @@ void Stage::play(const Event& event, const std::string& file) {
         frame(false);
     } else if (const auto* frames = std::get_if<events::Frames>(&event.what)) {
         for (int i = 0; i < frames->count; ++i) frame(false);
+    } else if (const auto* drop = std::get_if<events::Drop>(&event.what)) {
+        designer_->pictures.offer(drop->file);
+        frame(false);
+        frame(false);
     } else {
         wait_for_bake();
     }

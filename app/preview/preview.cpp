@@ -10,20 +10,10 @@
 namespace nacre {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr std::size_t programs_kept = 24;  // variants that an editing session may go back and forth between
 constexpr glm::dvec3 background{0.045, 0.047, 0.052};
 
 std::string text(const char* name) { return std::string(shader_text(name)); }
-
-// The sphere turns by yaw about its own axis, which then leans toward the viewer by pitch.
-glm::dmat3 object_to_view(const Scene& scene) {
-    const double cy = std::cos(scene.yaw * radians), sy = std::sin(scene.yaw * radians);
-    const double cp = std::cos(scene.pitch * radians), sp = std::sin(scene.pitch * radians);
-    const glm::dmat3 turn{{cy, 0, -sy}, {0, 1, 0}, {sy, 0, cy}};
-    const glm::dmat3 lean{{1, 0, 0}, {0, cp, sp}, {0, -sp, cp}};
-    return lean * turn;
-}
 
 // OpenGL state that whoever draws around the preview relies on.
 class SavedState {

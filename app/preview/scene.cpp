@@ -29,6 +29,14 @@ glm::dvec3 light_direction(const LightSource& light) {
             std::cos(light.theta * radians)};
 }
 
+glm::dmat3 object_to_view(const Scene& scene) {
+    const double cy = std::cos(scene.yaw * radians), sy = std::sin(scene.yaw * radians);
+    const double cp = std::cos(scene.pitch * radians), sp = std::sin(scene.pitch * radians);
+    const glm::dmat3 turn{{cy, 0, -sy}, {0, 1, 0}, {sy, 0, cy}};
+    const glm::dmat3 lean{{1, 0, 0}, {0, cp, sp}, {0, -sp, cp}};
+    return lean * turn;
+}
+
 double pixels_per_unit(const Scene& scene, glm::ivec2 size) {
     return sphere_part * scene.zoom * std::min(size.x, size.y);
 }

@@ -1,6 +1,7 @@
 // What lights the sphere and from where it is seen: nothing of the design.
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -40,6 +41,9 @@ std::optional<Scene> scene_by_name(std::string_view name);
 
 // Unit vector toward a light, view space.
 glm::dvec3 light_direction(const LightSource& light);
+
+// The sphere turns by yaw about its own axis, which then leans toward the viewer by pitch.
+glm::dmat3 object_to_view(const Scene& scene);
 
 // Pixels that one unit of view space (the sphere's radius) takes.
 double pixels_per_unit(const Scene& scene, glm::ivec2 size);

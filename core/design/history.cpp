@@ -1,5 +1,6 @@
 #include "core/design/history.h"
 
+#include <set>
 #include <utility>
 
 namespace nacre {
@@ -10,8 +11,24 @@ void History::commit(const Design& design) {
     if (design == current()) return;
     states_.resize(position_ + 1);
     states_.push_back(design);
-    if (states_.size() > steps_max + 1) states_.pop_front();
+    while (states_.size() > steps_max + 1 || (states_.size() > 2 && pixels() > pixels_max))
+        states_.pop_front();
     position_ = states_.size() - 1;
+}
+
+// Of all pictures that the states hold; states share those that did not change between them.
+std::size_t History::pixels() const {
+    std::set<std::shared_ptr<const Raster>> rasters;
+    for (const Design& state : states_)
+        for (const Layer& layer : state.distribution.layers) {
+            if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
+                rasters.insert(painted->image.raster);
+            if (layer.modulation) rasters.insert(layer.modulation->image.raster);
+        }
+    std::size_t sum = 0;
+    for (const auto& raster : rasters)
+        if (raster) sum += raster->values.size();
+    return sum;
 }
 
 void History::undo() {

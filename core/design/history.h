@@ -10,7 +10,8 @@ namespace nacre {
 
 class History {
   public:
-    static constexpr std::size_t steps_max = 200;  // undo steps that are kept
+    static constexpr std::size_t steps_max = 200;                     // undo steps that are kept ...
+    static constexpr std::size_t pixels_max = std::size_t{64} << 20;  // ... with no more pixels, 256 MiB
 
     explicit History(Design design);
 
@@ -28,6 +29,8 @@ class History {
     bool saved() const { return saved_ == current(); }  // the current design equals the one on disk
 
   private:
+    std::size_t pixels() const;
+
     std::deque<Design> states_;
     std::size_t position_ = 0;
     std::optional<Design> saved_;

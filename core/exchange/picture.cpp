@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -62,13 +63,13 @@ std::string reason_of(OIIO::ImageInput& input) {
     return reason.empty() ? "the picture is damaged" : reason;
 }
 
-void check_header(const OIIO::ImageSpec& spec) {
+void check_header(const OIIO::ImageSpec& spec, bool square) {
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep)
         throw PictureProblem("no flat picture");
-    if (spec.width != spec.height)
+    if (square && spec.width != spec.height)
         throw PictureProblem(
             fmt::format("{} x {} pixels, a picture must be square", spec.width, spec.height));
-    if (spec.width > limits::picture_max)
+    if (std::max(spec.width, spec.height) > limits::picture_max)
         throw PictureProblem(
             fmt::format("{} x {} pixels, more than {} a side", spec.width, spec.height, limits::picture_max));
     if (spec.nchannels < 1 || spec.nchannels > channels_max)
@@ -158,7 +159,9 @@ Raster upright(const Raster& raster, int orientation) {
     return turned;
 }
 
-Raster read_picture(const fs::path& file) {
+// Opens the picture and returns what `read` makes of it.
+template <class Read>
+auto with_picture(const fs::path& file, bool square, const Read& read) {
     if (const std::string problem = input_file_problem(file); !problem.empty()) throw PictureProblem(problem);
     const std::string format = format_of(file);
     std::string png = format == "png" ? essential_png(read_text_file(file)) : "";
@@ -170,23 +173,59 @@ Raster read_picture(const fs::path& file) {
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageSpec spec;
     if (!input->open(file.string(), spec, as_stored)) throw PictureProblem(reason_of(*input));
-    check_header(spec);
-    const Raster raster = upright(read_pixels(*input), spec.get_int_attribute("Orientation", 1));
-    return raster.width > limits::raster_max ? area_average(raster, limits::raster_max) : raster;
+    check_header(spec, square);
+    return read(*input, spec);
+}
+
+Raster read_picture(const fs::path& file) {
+    return with_picture(file, true, [](OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+        const Raster raster = upright(read_pixels(input), spec.get_int_attribute("Orientation", 1));
+        return raster.width > limits::raster_max ? area_average(raster, limits::raster_max) : raster;
+    });
+}
+
+ColourPicture read_colours(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+    const int channels = spec.nchannels >= 3 ? 3 : 1;
+    const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    std::vector<float> pixels(count * static_cast<std::size_t>(channels));
+    const bool read = input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, pixels.data());
+    if (!read || input.has_error()) throw PictureProblem(reason_of(input));
+    if (!std::all_of(pixels.begin(), pixels.end(), [](float value) { return std::isfinite(value); }))
+        throw PictureProblem("a pixel is not finite");
+    ColourPicture picture{spec.width, spec.height, {}};
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* pixel = &pixels[i * static_cast<std::size_t>(channels)];
+        picture.colours.push_back(channels == 3 ? glm::vec3(pixel[0], pixel[1], pixel[2])
+                                                : glm::vec3(pixel[0]));
+    }
+    return picture;
+}
+
+template <class Load>
+auto or_reason(const Load& load, std::string& reason) -> std::optional<decltype(load())> {
+    try {
+        return load();
+    } catch (const std::exception& problem) {
+        reason = problem.what();
+    } catch (...) {
+        reason = "its reader gave up";
+    }
+    return {};
 }
 
 }  // namespace
 
 Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where) {
     std::string reason;
-    try {
-        return read_picture(file);
-    } catch (const std::exception& problem) {
-        reason = problem.what();
-    } catch (...) {
-        reason = "its reader gave up";
-    }
+    if (auto raster = or_reason([&] { return read_picture(file); }, reason)) return *std::move(raster);
     throw UserError(error_file, error_where, "the picture " + file.string() + " cannot be used", reason);
+}
+
+ColourPicture load_colours(const fs::path& file) {
+    std::string reason;
+    if (auto picture = or_reason([&] { return with_picture(file, false, read_colours); }, reason))
+        return *std::move(picture);
+    throw UserError(file.string(), "read", "the picture cannot be used", reason);
 }
 
 }  // namespace nacre

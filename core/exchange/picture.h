@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <string>
+#include <vector>
 
 #include "core/design/design.h"
 
@@ -14,5 +16,15 @@ namespace nacre {
 // Whatever is wrong is a UserError of the design `error_file` at `error_where` that names the picture.
 Raster load_picture(const std::filesystem::path& file, const std::string& error_file,
                     const std::string& error_where);
+
+// Three numbers a pixel as they are stored, integers over their largest value; a grey is repeated. Rows from
+// the top. Of any shape.
+struct ColourPicture {
+    int width = 0, height = 0;
+    std::vector<glm::vec3> colours;
+};
+
+// For pictures that are no looks but data, such as normals. A UserError of the picture itself.
+ColourPicture load_colours(const std::filesystem::path& file);
 
 }  // namespace nacre

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/model/disk.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/shading.h"
 
@@ -12,13 +13,6 @@ namespace nacre {
 namespace {
 
 using std::numbers::pi;
-
-// The direction at a point of the equal-area disk, which has radius 1 at the horizon.
-dvec3 disk_direction(dvec2 at) {
-    const double r2 = glm::dot(at, at);
-    const double scale = std::sqrt(2 - r2);
-    return {at.x * scale, at.y * scale, 1 - r2};
-}
 
 // A picture as the shader reads it.
 class PictureReader {
@@ -85,7 +79,7 @@ class Painted final : public LobeModel {
 
     Facet facet(int row, int column) const {
         if (row >= cells_ || column >= cells_) return {};
-        const dvec2 at = disk_point(row + 0.5, column + 0.5);
+        const dvec2 at = grid_point(row + 0.5, column + 0.5);
         if (glm::dot(at, at) >= 1) return {};
         const dvec3 h = disk_direction(at);
         double p = 0;
@@ -120,13 +114,13 @@ class Painted final : public LobeModel {
         const double row = static_cast<double>(index / side), column = static_cast<double>(index % side);
         double peak = 0;
         for (int i = 0; i < 9; ++i) {
-            const dvec2 at = disk_point(row + 0.5 * (i / 3), column + 0.5 * (i % 3));
+            const dvec2 at = grid_point(row + 0.5 * (i / 3), column + 0.5 * (i % 3));
             peak = std::max(peak, density(disk_direction(at * std::min(1.0, (1 - 1e-12) / glm::length(at)))));
         }
         const double reach = 4.0 / cells_;
-        const double seen = glm::dot(k, disk_direction(disk_point(row + 0.5, column + 0.5))) + reach;
+        const double seen = glm::dot(k, disk_direction(grid_point(row + 0.5, column + 0.5))) + reach;
         for (;;) {
-            const dvec2 at = disk_point(row + uniform_random(random), column + uniform_random(random));
+            const dvec2 at = grid_point(row + uniform_random(random), column + uniform_random(random));
             if (glm::dot(at, at) >= 1) continue;
             const dvec3 h = disk_direction(at);
             if (uniform_random(random) * peak * seen < density(h) * glm::dot(k, h)) return h;
@@ -134,7 +128,7 @@ class Painted final : public LobeModel {
     }
 
   private:
-    dvec2 disk_point(double row, double column) const {
+    dvec2 grid_point(double row, double column) const {
         return {2 * column / cells_ - 1, 1 - 2 * row / cells_};
     }
 

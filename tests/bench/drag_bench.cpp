@@ -1,16 +1,19 @@
 // How long a frame takes while a slider of an anisotropic design is dragged: every frame asks for new
 // tables. The same without any bake (exposure is dragged, which redraws the picture as often) tells
-// what the bake adds. On OSMesa, 1280 x 800; milliseconds.
+// what the bake adds. `stroke` is the time from an event of a brush to the end of the frame whose sphere
+// shows it. On OSMesa, 1280 x 800; milliseconds.
 #include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/gl/gl.h"
@@ -31,13 +34,14 @@ nacre::Design anisotropic_design() {
 }
 
 struct Run {
-    std::vector<double> frames;  // milliseconds
+    std::vector<double> frames;  // milliseconds, of a frame or of an event until it is seen
     int drafts = 0;              // tables that reached the screen
     int finals = 0;
 };
 
-// Moves the pointer to and fro over a slider for some seconds, sixty frames a second at the most.
-Run drag(nacre::Stage& stage, const std::string& slider, double seconds) {
+// Moves the pointer to and fro over a slider of a tab for some seconds, sixty frames a second at the most.
+Run drag(nacre::Stage& stage, const std::string& tab, const std::string& slider, double seconds) {
+    stage.play(nacre::parse_events("click \"" + tab + "\"", tab));
     stage.wait_for_bake();
     const ImVec4 box = stage.items().rectangle(slider).value();
     ImGuiIO& io = ImGui::GetIO();
@@ -67,6 +71,47 @@ Run drag(nacre::Stage& stage, const std::string& slider, double seconds) {
     return run;
 }
 
+// Paints for some seconds, sixty events a second at the most. `frames` are the times from an event to the end
+// of the first frame whose sphere shows it.
+Run paint(nacre::Stage& stage, double seconds) {
+    stage.play(nacre::parse_events("click \"Paint\"", "paint"));
+    stage.wait_for_bake();
+    const ImVec4 box = stage.items().rectangle("Canvas").value();
+    const float radius = 0.3f * std::min(box.z - box.x, box.w - box.y);
+    ImGuiIO& io = ImGui::GetIO();
+    Run run;
+    std::vector<std::pair<std::uint64_t, Clock::time_point>> waiting;  // request, its event
+    std::string shown = stage.designer().tables_text;
+    const auto begin = Clock::now();
+    auto next = begin;
+    while (Clock::now() - begin < std::chrono::duration<double>(seconds)) {
+        const auto event = Clock::now();
+        const auto t = static_cast<float>(std::chrono::duration<double>(event - begin).count());
+        io.MousePos = ImVec2((box.x + box.z) / 2 + radius * std::cos(1.3f * t) * std::cos(0.4f * t),
+                             (box.y + box.w) / 2 + radius * std::sin(1.3f * t));
+        io.MouseDown[0] = t > 0.05f;
+        const std::uint64_t before = stage.designer().baker.asked();
+        stage.frame();
+        glFinish();
+        if (const std::uint64_t now = stage.designer().baker.asked(); now != before)
+            waiting.emplace_back(now, event);
+        const auto answered = stage.designer().baker.answered();
+        while (!waiting.empty() && waiting.front().first <= answered) {
+            run.frames.push_back(Milliseconds(Clock::now() - waiting.front().second).count());
+            waiting.erase(waiting.begin());
+        }
+        if (const std::string& now = stage.designer().tables_text; now != shown) {
+            ++(now.starts_with("Final") ? run.finals : run.drafts);
+            shown = now;
+        }
+        next = std::max(next + frame_time, Clock::now());
+        std::this_thread::sleep_until(next);
+    }
+    io.MouseDown[0] = false;
+    stage.frame();
+    return run;
+}
+
 void print(const char* name, Run run) {
     std::sort(run.frames.begin(), run.frames.end());
     const auto at = [&](double share) {
@@ -81,8 +126,9 @@ void compare(double seconds) {
     stage.designer().document = nacre::Document(anisotropic_design());
     stage.frame();
     stage.frame();
-    print("without bake", drag(stage, "Exposure", seconds));
-    print("with bake", drag(stage, "Width x", seconds));
+    print("without bake", drag(stage, "Light", "Exposure", seconds));
+    print("with bake", drag(stage, "Layers", "Width x", seconds));
+    print("stroke", paint(stage, seconds));
 }
 
 }  // namespace

@@ -74,6 +74,32 @@ TEST_SUITE("history") {
         CHECK(history.current().name == "250");
     }
 
+    TEST_CASE("history: pictures are counted once, and the oldest go when there are too many pixels") {
+        const auto painted = [](int step) {
+            auto raster = std::make_shared<Raster>();
+            raster->width = raster->height = limits::raster_max;
+            raster->values.assign(std::size_t{limits::raster_max} * limits::raster_max,
+                                  static_cast<float>(step));
+            Design design;
+            design.distribution.layers[0].lobe = PaintedLobe{{{}, raster}};
+            return design;
+        };
+        constexpr std::size_t most =
+            History::pixels_max / (std::size_t{limits::raster_max} * limits::raster_max);
+        History history(painted(0));
+        Design renamed = history.current();
+        for (int i = 0; i < 20; ++i) {
+            renamed.name += 'x';
+            history.commit(renamed);
+        }
+        for (std::size_t i = 1; i < most + 5; ++i) history.commit(painted(static_cast<int>(i)));
+        std::size_t steps = 0;
+        for (; history.can_undo(); ++steps) history.undo();
+        CHECK(steps == most - 1);
+        const auto& lobe = std::get<PaintedLobe>(history.current().distribution.layers[0].lobe);
+        CHECK(lobe.image.raster->values[0] == 5);
+    }
+
     TEST_CASE("history: it knows whether the current design is the one on disk") {
         History history(named("a"));
         CHECK_FALSE(history.saved());

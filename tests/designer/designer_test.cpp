@@ -67,7 +67,7 @@ TEST_CASE("designer: undo while a slider is held waits for the release") {
 
 TEST_CASE("designer: typed text is one step, and Ctrl+Z in the field is the field's") {
     Rig r;
-    r.play("click \"Design name\"\ntext \"Brushed\"\nkey Enter\nframes 2");
+    r.play("click \"Material\"\nclick \"Design name\"\ntext \"Brushed\"\nkey Enter\nframes 2");
     CHECK(r.document().design.name == "Brushed");
     r.play("key Ctrl+Z");
     CHECK(r.document().design.name.empty());

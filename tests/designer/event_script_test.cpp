@@ -33,18 +33,22 @@ TEST_CASE("event script: every event") {
         "key Ctrl+Shift+S\n"
         "text \"a \\\"quoted\\\" \\\\ word # here\"\n"
         "frames 12\n"
-        "wait",
+        "wait\n"
+        "move \"Canvas\":@30,-45\n"
+        "drop \"a picture.png\"",
         "tour.txt");
-    REQUIRE(script.events.size() == 11);
+    REQUIRE(script.events.size() == 13);
+    CHECK(std::get<events::Drop>(script.events[12].what).file == "a picture.png");
+    CHECK(std::get<events::Move>(script.events[11].what).to == Place{"Canvas", {30, -45}, true});
     CHECK(std::get<events::Move>(script.events[0].what).to.at == glm::vec2(10, 20.5f));
     CHECK(script.events[0].line == 2);
     CHECK(std::get<events::Button>(script.events[1].what).button == 1);
     CHECK(!std::get<events::Button>(script.events[2].what).down);
-    CHECK(std::get<events::Click>(script.events[3].what).at == Place{"Width x", {0.25f, 0.5f}});
+    CHECK(std::get<events::Click>(script.events[3].what).at == Place{"Width x", {0.25f, 0.5f}, false});
     CHECK(std::get<events::Click>(script.events[4].what).button == 2);
     CHECK(std::get<events::Click>(script.events[4].what).at.at.y == 0.75f);
     CHECK(std::get<events::Drag>(script.events[5].what).frames == 25);
-    CHECK(std::get<events::Drag>(script.events[5].what).to == Place{"Preview", {0.5f, 0.5f}});
+    CHECK(std::get<events::Drag>(script.events[5].what).to == Place{"Preview", {0.5f, 0.5f}, false});
     CHECK(std::get<events::Wheel>(script.events[6].what).notches == -2);
     CHECK(std::get<events::Key>(script.events[7].what).press == KeyPress{'S', true, true, false});
     CHECK(std::get<events::Text>(script.events[8].what).utf8 == "a \"quoted\" \\ word # here");
@@ -54,7 +58,8 @@ TEST_CASE("event script: every event") {
 
 TEST_CASE("event script: what is wrong is named with its line") {
     CHECK(complaint("wait\nfly 1 2") ==
-          "tour.txt: line 2: is no event: move, down, up, click, drag, wheel, key, text, frames and wait are "
+          "tour.txt: line 2: is no event: move, down, up, click, drag, wheel, key, text, frames, wait and "
+          "drop are "
           "(fly)");
     CHECK(complaint("move 1") == "tour.txt: line 1: needs a place's Y");
     CHECK(complaint("move 1 x") == "tour.txt: line 1: needs a place's Y (x)");
@@ -70,6 +75,8 @@ TEST_CASE("event script: what is wrong is named with its line") {
     CHECK(complaint("wait now") == "tour.txt: line 1: has more than its event needs (now)");
     CHECK(complaint("click \"\"").starts_with("tour.txt: line 1: has an empty widget name"));
     CHECK(complaint("click \"a\":").starts_with("tour.txt: line 1: needs a fraction"));
+    CHECK(complaint("move \"Canvas\":@").starts_with("tour.txt: line 1: needs a polar angle"));
+    CHECK(complaint("move \"Canvas\":@30,north") == "tour.txt: line 1: needs an azimuth (north)");
     CHECK(complaint("") == "none");
 }
 

@@ -1,6 +1,7 @@
 #!/bin/bash
 # window.sh FOLDER_OF_PROGRAMS PRESETS OUTPUT: the real window under Xvfb, used as by hand: a preset is
-# opened, a slider dragged, the light moved, an edit undone, the design saved, the window closed.
+# opened, a slider and a handle dragged, the light moved, canvas and sphere painted on, an edit undone, the
+# design saved, the window closed.
 # Pictures of it stay in OUTPUT.
 set -euo pipefail
 programs=$(realpath "$1") presets=$(realpath "$2") out=$3
@@ -78,6 +79,8 @@ layers_tab=$(place '' Layers)
 preset_row=$(place 'click "Presets"\n' "Preset $preset")
 width=$(place "$opened" 'Width x')
 sphere=$(place "$opened" Preview)
+canvas=$(place "$opened" Canvas)
+brush=$(place "$opened" Paint)
 
 "$programs/nacre" >"$out/nacre.log" 2>&1 &
 pid=$!
@@ -96,8 +99,14 @@ picture 1-start
     picture 2-preset
     drag $(at "$width" 0.5) $(at "$width" 0.85)
     drag $(at "$sphere" 0.5) $(at "$sphere" 0.65)
+    drag $(at "$canvas" 0.5) $(at "$canvas" 0.6)
     pause 1
-    picture 3-edited
+    picture 3-handle
+    click $(at "$brush" 0.5)
+    drag $(at "$canvas" 0.3) $(at "$canvas" 0.7)
+    drag $(at "$sphere" 0.6) $(at "$sphere" 0.75)
+    pause 1
+    picture 4-edited
 }
 
 # Two saves: what was dragged, and what is left after undo.
@@ -107,7 +116,7 @@ save_as() {
     xdotool key --clearmodifiers ctrl+a
     xdotool type --clearmodifiers --delay 15 "$1"
     pause
-    picture 4-save-as
+    picture 5-save-as
     xdotool key Return
     for _ in $(seq 50); do
         [ -e "$1" ] && break
@@ -119,10 +128,11 @@ save_as() {
 save_as "$work/edited.nacre"
 chord ctrl z
 save_as "$work/undone.nacre"
-picture 5-undone
+picture 6-undone
 
 "$programs/nacre-cli" info "$work/edited.nacre" >"$out/edited.txt" || fail 'the saved design is refused'
 "$programs/nacre-cli" info "$work/undone.nacre" >"$out/undone.txt" || fail 'the design saved after undo is refused'
+grep -q '"lobe": "painted"' "$work/edited.nacre" || fail 'nothing was painted'
 cmp -s "$work/edited.nacre" "$work/undone.nacre" && fail 'the drag or the undo changed nothing'
 
 xdotool key --clearmodifiers ctrl+q

@@ -85,6 +85,26 @@ TEST_CASE("layers: add, duplicate, reorder, disable and delete") {
     CHECK(r.distribution.layers.size() == 1);
 }
 
+TEST_CASE("layers: solo shows one layer alone and leaves the design as it is") {
+    LayersRig r;
+    r.rig.click("Add layer");
+    r.rig.click("Add GGX");
+    const Distribution design = r.distribution;
+    CHECK(ui::shown(r.view, r.distribution) == design);
+    r.rig.click("Layer 1 solo");
+    CHECK(r.distribution == design);
+    const Distribution alone = ui::shown(r.view, r.distribution);
+    CHECK(alone.layers[0].enabled);
+    CHECK(!alone.layers[1].enabled);
+    r.rig.click("Layer 2 solo");
+    CHECK(!ui::shown(r.view, r.distribution).layers[0].enabled);
+    r.rig.click("Layer 2 solo");
+    CHECK(ui::shown(r.view, r.distribution) == design);
+    r.rig.click("Layer 2 solo");
+    r.rig.click("Delete layer");
+    CHECK(!r.view.solo);
+}
+
 TEST_CASE("layers: a line dragged over another changes the order") {
     LayersRig r;
     r.rig.click("Add layer");

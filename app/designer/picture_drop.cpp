@@ -1,0 +1,81 @@
+#include "app/designer/picture_drop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/design/error.h"
+#include "core/exchange/picture.h"
+#include "core/paint/normal_map.h"
+#include "core/paint/painted_layer.h"
+#include "ui/canvas_paint.h"
+#include "ui/dialogs.h"
+
+namespace nacre {
+namespace {
+
+constexpr double height_depth = 0.02;  // of the picture's breadth, from black to white
+
+constexpr double smoothing = 1.5;  // degrees, of normals
+
+enum Answer { stamp, normals, heights, modulate, cancel };
+
+void add_layer_of(const std::vector<dvec3>& normals_found, double width, const std::string& name,
+                  Distribution& distribution, std::size_t& chosen) {
+    auto raster = raster_of_normals(normals_found, width);
+    if (distribution.layers.size() >= limits::layers_max)
+        throw UserError("", "layers", "a design holds no more layers", std::to_string(limits::layers_max));
+    ui::add_painted_layer(distribution, chosen);
+    Layer& layer = distribution.layers[chosen];
+    layer.name = name;
+    const double others = weight_of_others(distribution, chosen);
+    set_raster(layer, std::move(raster), others > 0 ? others : 1);
+}
+
+std::shared_ptr<const Raster> stamp_of(const std::filesystem::path& file) {
+    auto raster = std::make_shared<Raster>(load_picture(file, file.string(), "stamp"));
+    const float largest = *std::max_element(raster->values.begin(), raster->values.end());
+    if (largest > 1)
+        for (float& value : raster->values) value /= largest;
+    return raster;
+}
+
+}  // namespace
+
+void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
+    const std::filesystem::path file = *std::exchange(file_, std::nullopt);
+    const std::string name = file.stem().string();
+    try {
+        if (answer == stamp) {
+            canvas.stamps.push_back({name, stamp_of(file)});
+            canvas.stamp = canvas.stamps.size() - 1;
+            canvas.tool = ui::CanvasTool::stamp;
+        } else if (answer == normals) {
+            add_layer_of(normals_of_map(load_colours(file)), smoothing, name, distribution, chosen);
+        } else if (answer == heights) {
+            add_layer_of(normals_of_heights(load_colours(file), height_depth), smoothing, name, distribution,
+                         chosen);
+        } else if (answer == modulate && chosen < distribution.layers.size()) {
+            auto raster = std::make_shared<const Raster>(load_picture(file, file.string(), "modulation"));
+            distribution.layers[chosen].modulation = Modulation{{{}, std::move(raster)}, 1};
+        }
+    } catch (const UserError& error) {
+        problem_ = error.what();
+    }
+}
+
+void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
+    if (!problem_.empty()) {
+        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        return;
+    }
+    if (!file_) return;
+    const std::string text = "What is \u201c" + file_->filename().string() +
+                             "\u201d? A stamp paints through it. A map of normals or of heights becomes a "
+                             "layer with the facets of that "
+                             "surface. Modulation multiplies the chosen layer by it.";
+    const auto answer =
+        ui::question("A picture", text, {"Stamp", "Normals", "Heights", "Modulation", "Cancel"});
+    if (answer) use(*answer, distribution, chosen, canvas);
+}
+
+}  // namespace nacre

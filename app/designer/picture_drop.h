@@ -1,0 +1,31 @@
+// A picture that comes in, and the question what to do with it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/design/design.h"
+#include "ui/hemisphere_canvas.h"
+
+namespace nacre {
+
+class PictureDrop {
+  public:
+    // A file was dropped on the window; the newest counts.
+    void offer(std::filesystem::path file) { file_ = std::move(file); }
+
+    // Asks, and acts on the answer: the picture becomes the stamp in hand, a painted layer of its normals or
+    // of its heights, or the chosen layer's modulation.
+    void draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas);
+
+    bool talking() const { return file_ || !problem_.empty(); }
+
+  private:
+    void use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas);
+
+    std::optional<std::filesystem::path> file_;
+    std::string problem_;
+};
+
+}  // namespace nacre

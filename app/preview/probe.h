@@ -1,0 +1,26 @@
+// Which facets light which pixels of the sphere, and the other way round. Of the main light alone.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/preview/scene.h"
+
+namespace nacre {
+
+// The half vector of light and viewer at a pixel (from the top left corner), in the surface's frame there:
+// the normal of the facets that light the pixel. Nothing beside the sphere or where the light does not reach.
+std::optional<glm::dvec3> half_vector(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size);
+
+// A veil over the preview that shines where facets within about `radius` degrees of `h` light it: straight
+// RGBA, rows from the top, `divisor` times fewer texels each way than the preview has pixels.
+struct Glow {
+    glm::ivec2 size{0};
+    std::vector<std::uint8_t> rgba;
+};
+Glow glow_of(const Scene& scene, glm::ivec2 size, glm::dvec3 h, double radius, int divisor);
+
+}  // namespace nacre

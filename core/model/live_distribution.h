@@ -1,0 +1,32 @@
+// p of a design that is being edited, for whoever shows it: what has not changed since the last call is not
+// made again, so that a slider costs microseconds and a touch of a brush about a millisecond.
+#pragma once
+
+#include <optional>
+
+#include "core/model/facet_distribution.h"
+
+namespace nacre {
+
+class LiveDistribution {
+  public:
+    // Brings p up to date; null where the design has none (no facets, or none that face up on the whole).
+    // The pointer is valid until the next call.
+    const FacetDistribution* of(const Distribution& distribution);
+
+    // What of() returned last.
+    const FacetDistribution* newest() const { return facets_ ? &*facets_ : nullptr; }
+
+    // Rises whenever p changes.
+    int revision() const { return revision_; }
+
+  private:
+    std::shared_ptr<const LobeModel> model_of(const Layer& layer, std::size_t index) const;
+
+    std::optional<Distribution> design_;                    // that facets_ was made from
+    std::vector<std::shared_ptr<const LobeModel>> models_;  // of its layers; null for those left out
+    std::optional<FacetDistribution> facets_;
+    int revision_ = 0;
+};
+
+}  // namespace nacre

@@ -1,0 +1,51 @@
+// The brush: round on the hemisphere, so that it is an ellipse on the disk toward the rim.
+#pragma once
+
+#include "core/model/lobe.h"
+
+namespace nacre {
+
+struct Brush {
+    double radius = 8;      // degrees on the sphere of normals
+    double hardness = 0.5;  // part of the radius that is covered in full
+    double flow = 0.5;      // of the full effect that one dab has in its middle
+
+    bool operator==(const Brush&) const = default;
+};
+
+inline constexpr double brush_radius_least = 0.5, brush_radius_most = 60;  // degrees
+
+// How much a brush covers at `distance` radii from its middle: 1 up to its hardness, then smoothly down to 0
+// at 1.
+double brush_falloff(const Brush& brush, double distance);
+
+// Angle between two unit vectors, radians; keeps its digits for small angles.
+double angle_between(dvec3 a, dvec3 b);
+
+// The rotation that takes unit vector a to b by the shortest way; a and b not opposite.
+glm::dmat3 shortest_rotation(dvec3 a, dvec3 b);
+
+// How one stroke becomes several, about the layer's own axis.
+enum class SymmetryKind {
+    none,
+    mirror_x,     // left and right: x to -x
+    mirror_y,     // y to -y
+    mirror_both,  // four quarters
+    turns,        // so many turned copies
+    ring          // all the way around
+};
+
+struct BrushSymmetry {
+    SymmetryKind kind = SymmetryKind::none;
+    int turns = 6;
+
+    bool operator==(const BrushSymmetry&) const = default;
+};
+
+inline constexpr int turns_least = 2, turns_most = 24;
+
+// Orthogonal matrices that take the stroke to each of its copies, the identity first. A full ring has no
+// finite set of them: the identity alone.
+std::vector<glm::dmat3> symmetry_images(const BrushSymmetry& symmetry);
+
+}  // namespace nacre

@@ -1,0 +1,68 @@
+#include "core/paint/density_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/model/disk.h"
+#include "core/paint/colour_map.h"
+
+namespace nacre {
+namespace {
+
+constexpr double decades = 4;
+constexpr int peak_side = 160;  // samples a side over the hemisphere's disk
+constexpr int colours = 1024;
+
+std::array<glm::u8vec3, colours> colour_table() {
+    std::array<glm::u8vec3, colours> table{};
+    for (int i = 0; i < colours; ++i) table[static_cast<std::size_t>(i)] = inferno(i / (colours - 1.0));
+    return table;
+}
+
+}  // namespace
+
+double DensityScale::position(double p) const {
+    if (!(p > 0) || !(peak > 0)) return 0;
+    const double part = p / peak;
+    return std::clamp(logarithmic ? 1 + std::log10(part) / decades : part, 0.0, 1.0);
+}
+
+double DensityScale::value(double position) const {
+    return peak * (logarithmic ? std::pow(10, (position - 1) * decades) : position);
+}
+
+double peak_density(const FacetDistribution& p) {
+    double peak = 0;
+    for (const PlacedLobe& placed : p.lobes()) peak = std::max(peak, p.density(placed.frame[2]));
+    // The grid covers the whole sphere's disk, so that what leans below the horizon counts too.
+    for (int row = 0; row < peak_side; ++row)
+        for (int column = 0; column < peak_side; ++column) {
+            const glm::dvec2 at = std::numbers::sqrt2 * glm::dvec2(2 * (column + 0.5) / peak_side - 1,
+                                                                   1 - 2 * (row + 0.5) / peak_side);
+            if (glm::dot(at, at) < 2) peak = std::max(peak, p.density(disk_direction(at)));
+        }
+    return peak;
+}
+
+DensityPicture density_picture(const FacetDistribution& p, const HemisphereView& view,
+                               const DensityScale& scale, int divisor) {
+    static const std::array<glm::u8vec3, colours> table = colour_table();
+    DensityPicture picture;
+    picture.size = glm::max(glm::ivec2(glm::ceil(view.size() / static_cast<double>(divisor))), 1);
+    picture.rgba.reserve(static_cast<std::size_t>(picture.size.x * picture.size.y) * 4);
+    for (int row = 0; row < picture.size.y; ++row)
+        for (int column = 0; column < picture.size.x; ++column) {
+            const glm::dvec2 pixel = glm::dvec2(column + 0.5, row + 0.5) * static_cast<double>(divisor);
+            const double covered = view.coverage(pixel);
+            double position = 0;
+            if (covered > 0) position = scale.position(p.density(view.nearest_direction(pixel)));
+            const glm::u8vec3 c = table[static_cast<std::size_t>(std::lround(position * (colours - 1)))];
+            const auto alpha = static_cast<std::uint8_t>(std::lround(255 * covered));
+            picture.rgba.insert(picture.rgba.end(), {c.x, c.y, c.z, alpha});
+        }
+    return picture;
+}
+
+}  // namespace nacre

@@ -1,0 +1,149 @@
+#include "core/paint/lobe_handles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/model/facet_distribution.h"
+#include "core/paint/brush.h"
+
+namespace nacre {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+constexpr double width_least = 1e-3;  // a hand can do no better on a picture of some hundred pixels
+constexpr double slope_most = 60;     // tan 89.05 degrees: from here on a width is infinite
+
+// The widths of a lobe as slopes; equal pointers for a lobe with one.
+struct Widths {
+    double* x = nullptr;
+    double* y = nullptr;
+    bool inverted = false;  // the width is the slope's inverse, as of an inverse Gaussian
+    bool may_be_infinite = false;
+};
+
+Widths widths_of(Lobe& lobe) {
+    if (auto* l = std::get_if<GaussianLobe>(&lobe)) return {&l->sigma_x, &l->sigma_y, false, true};
+    if (auto* l = std::get_if<GgxLobe>(&lobe)) return {&l->alpha_x, &l->alpha_y};
+    if (auto* l = std::get_if<BeckmannLobe>(&lobe)) return {&l->alpha_x, &l->alpha_y};
+    if (auto* l = std::get_if<InverseGaussianLobe>(&lobe)) return {&l->sigma, &l->sigma, true};
+    return {};
+}
+
+double slope(double width, bool inverted) {
+    if (std::isinf(width)) return inverted ? 0 : slope_most;
+    return inverted ? 1 / width : width;
+}
+
+dvec2 slopes_of(const Lobe& lobe) {
+    Lobe copy = lobe;
+    const Widths widths = widths_of(copy);
+    return {slope(*widths.x, widths.inverted), slope(*widths.y, widths.inverted)};
+}
+
+bool has_widths(const Lobe& lobe) {
+    Lobe copy = lobe;
+    return widths_of(copy).x != nullptr;
+}
+
+bool is_round(const Lobe& lobe) {
+    if (!has_widths(lobe)) return true;
+    const dvec2 s = slopes_of(lobe);
+    return s.x == s.y;
+}
+
+double width_of(double new_slope, const Widths& widths) {
+    new_slope = std::clamp(new_slope, width_least, slope_most);
+    if (widths.inverted) return 1 / new_slope;
+    return widths.may_be_infinite && new_slope >= slope_most ? limits::infinity : new_slope;
+}
+
+dvec3 local(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(layer)) * h; }
+
+double slope_along(double across, double up) { return up > 0 ? std::abs(across) / up : slope_most; }
+
+void lean(Layer& layer, dvec3 to) {
+    layer.tilt = std::atan2(std::hypot(to.x, to.y), to.z) * degrees;
+    if (to.x != 0 || to.y != 0) layer.azimuth = std::atan2(to.y, to.x) * degrees;
+}
+
+void turn(Layer& layer, dvec3 from, dvec3 to) {
+    const dvec3 a = local(layer, from), b = local(layer, to);
+    const double by = (std::atan2(b.y, b.x) - std::atan2(a.y, a.x)) * degrees;
+    layer.rotation = std::remainder(layer.rotation + by, 360.0);
+}
+
+void widen(Layer& layer, dvec3 from, dvec3 to) {
+    const dvec3 a = local(layer, from), b = local(layer, to);
+    const double before = slope_along(std::hypot(a.x, a.y), a.z);
+    const double factor = slope_along(std::hypot(b.x, b.y), b.z) / std::max(before, width_least);
+    const Widths widths = widths_of(layer.lobe);
+    const double now = slopes_of(layer.lobe).x * factor;
+    *widths.x = *widths.y = width_of(now, widths);
+}
+
+}  // namespace
+
+Layer carried(const Layer& layer, dvec3 from, dvec3 to) {
+    if (glm::dot(from, to) < -0.999) return layer;
+    const glm::dmat3 frame = shortest_rotation(from, to) * layer_frame(layer);
+    Layer result = layer;
+    lean(result, frame[2]);
+    // layer_frame() with no rotation, undone: what is left turns about the axis.
+    result.rotation = 0;
+    const glm::dmat3 left = glm::transpose(layer_frame(result)) * frame;
+    result.rotation = std::atan2(left[0].y, left[0].x) * degrees;
+    return result;
+}
+
+void straighten(Distribution& distribution, dvec3 mean) {
+    for (Layer& layer : distribution.layers) layer = carried(layer, glm::normalize(mean), {0, 0, 1});
+}
+
+bool has_outline(const Layer& layer) {
+    return has_widths(layer.lobe) || std::holds_alternative<PaintedLobe>(layer.lobe);
+}
+
+bool outline_turns(const Layer& layer) {
+    return !is_round(layer.lobe) || layer.modulation || std::holds_alternative<PaintedLobe>(layer.lobe);
+}
+
+dvec3 outline_at(const Layer& layer, double t) {
+    const double psi = 2 * std::numbers::pi * t;
+    dvec3 h{std::cos(psi), std::sin(psi), 0};
+    if (has_widths(layer.lobe)) {
+        // Of a long outline more points lie where it bends.
+        const dvec2 s = slopes_of(layer.lobe);
+        const dvec2 even = glm::normalize(dvec2(h.x * std::sqrt(s.y), h.y * std::sqrt(s.x)));
+        h = {even.x * s.x, even.y * s.y, 1};
+    }
+    return layer_frame(layer) * glm::normalize(h);
+}
+
+std::vector<Handle> handles_of(const Layer& layer) {
+    std::vector<Handle> handles{{HandleKind::axis, layer_frame(layer)[2]}};
+    if (!has_widths(layer.lobe) || std::holds_alternative<InverseGaussianLobe>(layer.lobe)) return handles;
+    for (const double t : {0.0, 0.5}) handles.push_back({HandleKind::width_x, outline_at(layer, t)});
+    for (const double t : {0.25, 0.75}) handles.push_back({HandleKind::width_y, outline_at(layer, t)});
+    return handles;
+}
+
+Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to) {
+    Layer result = layer;
+    if (kind == HandleKind::axis) {
+        lean(result, to);
+    } else if (kind == HandleKind::outline) {
+        if (outline_turns(layer))
+            turn(result, from, to);
+        else if (has_widths(layer.lobe))
+            widen(result, from, to);
+    } else {
+        const dvec3 l = local(layer, to);
+        const Widths widths = widths_of(result.lobe);
+        double* width = kind == HandleKind::width_x ? widths.x : widths.y;
+        if (width) *width = width_of(slope_along(kind == HandleKind::width_x ? l.x : l.y, l.z), widths);
+    }
+    return result;
+}
+
+}  // namespace nacre

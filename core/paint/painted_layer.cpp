@@ -1,0 +1,91 @@
+#include "core/paint/painted_layer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/paint/raster_texels.h"
+
+namespace nacre {
+namespace {
+
+// Fainter than any brush leaves it.
+constexpr float faint = 1e-3f;
+
+std::shared_ptr<const Raster> in_paint_unit(const std::shared_ptr<const Raster>& given) {
+    const float largest = *std::max_element(given->values.begin(), given->values.end());
+    if (!(largest > 0) || (largest >= faint && largest <= 1)) return given;
+    auto scaled = std::make_shared<Raster>(*given);
+    for (float& value : scaled->values) value = std::min(value / largest, 1.0f);
+    return scaled;
+}
+
+}  // namespace
+
+std::shared_ptr<const Raster> blank_raster() {
+    const auto texels = std::size_t{painted_side} * painted_side;
+    return std::make_shared<const Raster>(
+        Raster{painted_side, painted_side, std::vector<float>(texels, 0.0f)});
+}
+
+Layer blank_painted_layer() {
+    Layer layer;
+    layer.lobe = PaintedLobe{{{}, blank_raster()}};
+    layer.enabled = false;
+    return layer;
+}
+
+std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe) {
+    const std::shared_ptr<const Raster> given = in_paint_unit(lobe.image.raster);
+    if (given->width >= painted_side) return given;
+    auto finer = std::make_shared<Raster>();
+    finer->width = finer->height = painted_side;
+    finer->values.reserve(std::size_t{painted_side} * painted_side);
+    // Beyond the outermost middles a picture keeps their values, as shaders read it.
+    const double inside = 1 - 1.0 / given->width;
+    for (int row = 0; row < painted_side; ++row)
+        for (int column = 0; column < painted_side; ++column) {
+            const glm::dvec2 at = texel_point(painted_side, row, column);
+            finer->values.push_back(static_cast<float>(
+                raster_value(given->values, given->width, glm::clamp(at, -inside, inside))));
+        }
+    return finer;
+}
+
+dvec3 above_horizon(dvec3 h) {
+    if (h.z >= 0) return h;
+    const double sine = std::hypot(h.x, h.y);
+    return sine > 0 ? dvec3(h.x / sine, h.y / sine, 0) : dvec3(1, 0, 0);
+}
+
+double raster_mass(const Raster& raster) {
+    double sum = 0;
+    for (int row = 0; row < raster.height; ++row) {
+        const float* values = &raster.values[static_cast<std::size_t>(row * raster.width)];
+        for (int column = 0; column < raster.width; ++column)
+            if (values[column] > 0 && holds_facets(texel_point(raster.width, row, column)))
+                sum += static_cast<double>(values[column]);
+    }
+    return sum * texel_solid_angle(raster.width);
+}
+
+void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double first_weight) {
+    auto& image = std::get<PaintedLobe>(layer.lobe).image;
+    const double before = raster_mass(*image.raster), after = raster_mass(*raster);
+    if (after > 0) {
+        const double weight = before > 0 ? layer.weight * (after / before) : first_weight;
+        layer.weight = std::clamp(weight, 0.0, limits::weight_max);
+        if (!(before > 0)) layer.enabled = true;
+    } else {
+        layer.enabled = false;
+    }
+    image = {{}, std::move(raster)};
+}
+
+double weight_of_others(const Distribution& distribution, std::size_t except) {
+    double sum = 0;
+    for (std::size_t i = 0; i < distribution.layers.size(); ++i)
+        if (i != except && distribution.layers[i].enabled) sum += distribution.layers[i].weight;
+    return sum;
+}
+
+}  // namespace nacre

@@ -1,0 +1,34 @@
+// The layer that a brush works on.
+#pragma once
+
+#include "core/design/design.h"
+#include "core/model/lobe.h"
+
+namespace nacre {
+
+// A raster to paint on, with nothing painted yet.
+std::shared_ptr<const Raster> blank_raster();
+
+// A layer of it; left out of p until something is painted, since it holds no facets.
+Layer blank_painted_layer();
+
+// The raster of a painted layer as a brush needs it: held in the design, and with painted_side texels a
+// side at the least; a coarser one is read between its texels. Full paint is 1: a picture in another unit is
+// brought to a largest value of 1, which changes nothing of p.
+std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe);
+
+// The same direction, or the nearest on the horizon for one below it.
+dvec3 above_horizon(dvec3 h);
+
+// Integral over the hemisphere, steradians times the values' unit.
+double raster_mass(const Raster& raster);
+
+// Gives the layer another raster, and the weight with which a value of the raster goes on meaning as many
+// facets as before: paint adds facets and takes none from elsewhere in the layer. The first paint of a blank
+// layer gets `first_weight`. A layer is enabled by its first paint, and left out when the last is erased.
+void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double first_weight);
+
+// Of the layers that count, but for the one at `except`.
+double weight_of_others(const Distribution& distribution, std::size_t except);
+
+}  // namespace nacre

@@ -1,0 +1,76 @@
+#include "core/paint/stamps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
+
+#include "core/paint/raster_texels.h"
+
+namespace nacre {
+namespace {
+
+using glm::dvec2;
+
+constexpr int side = 256;
+constexpr double edge = 0.02;  // half the breadth of a shape's soft edge; the picture reaches from -1 to 1
+
+double soft(double distance) { return std::clamp(0.5 - distance / (2 * edge), 0.0, 1.0); }
+
+double disc(dvec2 at, dvec2 middle, double radius) { return soft(glm::length(at - middle) - radius); }
+
+double arc(dvec2 at, double radius, double breadth, double low, double high) {
+    const double angle = std::atan2(at.y, at.x);
+    const double inside = std::clamp(angle, low, high);
+    const dvec2 nearest = radius * dvec2(std::cos(inside), std::sin(inside));
+    return soft(glm::length(at - nearest) - breadth / 2);
+}
+
+double smiley(dvec2 at) {
+    const double outline = soft(std::abs(glm::length(at) - 0.86) - 0.055);
+    const double eyes = std::max(disc(at, {-0.32, 0.28}, 0.12), disc(at, {0.32, 0.28}, 0.12));
+    const double mouth = arc(at, 0.5, 0.11, -0.86 * std::numbers::pi, -0.14 * std::numbers::pi);
+    return std::max({outline, eyes, mouth});
+}
+
+// The heart (x^2 + y^2 - 1)^3 = x^2 y^3, over its gradient as a distance.
+double heart(dvec2 at) {
+    const double x = at.x * 1.25, y = at.y * 1.25 + 0.1;
+    const double s = x * x + y * y - 1;
+    const double value = s * s * s - x * x * y * y * y;
+    const double gx = 6 * x * s * s - 2 * x * y * y * y, gy = 6 * y * s * s - 3 * x * x * y * y;
+    return soft(value / std::max(std::hypot(gx, gy), 0.3));
+}
+
+double star(dvec2 at) {
+    const double fifth = 2 * std::numbers::pi / 5, r = glm::length(at);
+    const double turn = std::abs(std::remainder(std::atan2(at.x, at.y), fifth));
+    // The line from a tip to the notch beside it.
+    const dvec2 tip(0.92, 0), notch(0.36 * std::cos(fifth / 2), 0.36 * std::sin(fifth / 2));
+    const dvec2 line = notch - tip, p = r * dvec2(std::cos(turn), std::sin(turn)) - tip;
+    return soft((line.x * p.y - line.y * p.x) / -glm::length(line));
+}
+
+double grid(dvec2 at) {
+    const dvec2 cell(std::remainder(at.x, 0.4), std::remainder(at.y, 0.4));
+    return std::max(std::abs(at.x), std::abs(at.y)) < 0.98 ? disc(cell, {0, 0}, 0.11) : 0;
+}
+
+template <class Value>
+std::shared_ptr<const Raster> drawn(const Value& value) {
+    auto raster = std::make_shared<Raster>();
+    raster->width = raster->height = side;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+            raster->values.push_back(static_cast<float>(value(texel_point(side, row, column))));
+    return raster;
+}
+
+}  // namespace
+
+std::vector<NamedStamp> built_in_stamps() {
+    return {{"Smiley", drawn(smiley)}, {"Heart", drawn(heart)}, {"Star", drawn(star)}, {"Dots", drawn(grid)}};
+}
+
+}  // namespace nacre

@@ -1,0 +1,128 @@
+// The canvas, used as by hand.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "app/headless/stage.h"
+#include "core/design/error.h"
+
+using namespace nacre;
+
+namespace {
+
+struct Rig {
+    Stage stage{{.size = {1280, 800}, .ui_scale = 1, .bake_threads = 1}};
+    Rig() {
+        stage.frame();
+        stage.frame();
+    }
+    void play(const std::string& text) { stage.play(parse_events(text, "test")); }
+    Document& document() { return stage.designer().document; }
+    Layer& layer(std::size_t index) { return document().design.distribution.layers.at(index); }
+    ui::CanvasState& canvas() { return stage.designer().canvas.state; }
+};
+
+}  // namespace
+
+TEST_CASE("canvas: wheel and middle button move it, and a double click shows all") {
+    Rig r;
+    const Design before = r.document().design;
+    r.play("move \"Canvas\":0.7,0.4\nwheel 4");
+    const HemisphereCamera& camera = r.canvas().camera;
+    CHECK(camera.zoom == doctest::Approx(std::pow(1.15, 4)));
+    const glm::dvec2 centre = camera.centre;
+    r.play("down middle\nmove \"Canvas\":0.8,0.4\nup middle");
+    CHECK(camera.centre.x < centre.x - 0.05);
+    CHECK(camera.centre.y == doctest::Approx(centre.y));
+    r.play("frames 30\nclick \"Canvas\":0.9,0.9\nclick \"Canvas\":0.9,0.9");
+    CHECK(camera == HemisphereCamera{});
+    r.play("click \"Dome\"\nmove \"Canvas\"\ndown right\nmove \"Canvas\":0.6,0.5\nup right");
+    CHECK(camera.dome);
+    CHECK(camera.yaw > HemisphereCamera{}.yaw);
+    CHECK(r.document().design == before);
+}
+
+TEST_CASE("canvas: the axis of a lobe is dragged to where it leans, in one step of undo") {
+    Rig r;
+    const Design before = r.document().design;
+    r.play("drag \"Canvas\":@0,0 \"Canvas\":@40,120 12");
+    CHECK(r.layer(0).tilt == doctest::Approx(40).epsilon(0.01));
+    CHECK(r.layer(0).azimuth == doctest::Approx(120).epsilon(0.01));
+    r.play("key Ctrl+Z");
+    CHECK(r.document().design == before);
+    CHECK(!r.document().history.can_undo());
+}
+
+TEST_CASE("canvas: the ends of a lobe widen it, its outline turns it") {
+    Rig r;
+    r.layer(0).lobe = GaussianLobe{0.5, 0.2};
+    const double degrees = 180 / 3.14159265358979;
+    const auto place = [](double theta, double phi) {
+        return "\"Canvas\":@" + std::to_string(theta) + "," + std::to_string(phi);
+    };
+    r.play("drag " + place(std::atan(0.5) * degrees, 0) + " " + place(45, 0));
+    CHECK(std::get<GaussianLobe>(r.layer(0).lobe).sigma_x == doctest::Approx(1).epsilon(0.02));
+    r.play("frames 30\ndrag " + place(std::atan(0.2) * degrees, 90) + " " +
+           place(std::atan(0.4) * degrees, 90));
+    const GaussianLobe lobe = std::get<GaussianLobe>(r.layer(0).lobe);
+    CHECK(lobe.sigma_y == doctest::Approx(0.4).epsilon(0.02));
+    // A point of the outline between two ends.
+    const double slope = std::hypot(lobe.sigma_x, lobe.sigma_y) / std::sqrt(2.0);
+    const double phi = std::atan2(lobe.sigma_y, lobe.sigma_x) * degrees;
+    r.play("frames 30\ndrag " + place(std::atan(slope) * degrees, phi) + " " +
+           place(std::atan(slope) * degrees, phi + 30));
+    CHECK(r.layer(0).rotation == doctest::Approx(30).epsilon(0.03));
+    CHECK(std::get<GaussianLobe>(r.layer(0).lobe) == lobe);
+}
+
+TEST_CASE("canvas: a press on another layer's axis chooses it, a double click puts it upright") {
+    Rig r;
+    Layer leaning;
+    leaning.tilt = 50;
+    leaning.azimuth = 30;
+    r.document().design.distribution.layers.push_back(leaning);
+    r.document().commit();
+    CHECK(r.stage.designer().layers.chosen == 0);
+    r.play("click \"Canvas\":@50,30");
+    CHECK(r.stage.designer().layers.chosen == 1);
+    CHECK(r.layer(1) == leaning);
+    r.play("frames 30\nclick \"Canvas\":@50,30\nclick \"Canvas\":@50,30");
+    CHECK(r.layer(1).tilt == 0);
+}
+
+TEST_CASE("canvas: straighten brings the mean normal to n in one step, and then has nothing to do") {
+    Rig r;
+    r.layer(0).tilt = 30;
+    r.document().commit();
+    const Design leaning = r.document().design;
+    r.play("frames 2\nclick \"Straighten\"\nframes 2");
+    CHECK(r.layer(0).tilt < 0.5);
+    const Design straight = r.document().design;
+    r.play("click \"Straighten\"");
+    CHECK(r.document().design == straight);
+    r.play("key Ctrl+Z");
+    CHECK(r.document().design == leaning);
+}
+
+TEST_CASE("canvas: a layer shown alone is what is shown and baked") {
+    Rig r;
+    Layer leaning;
+    leaning.tilt = 50;
+    r.document().design.distribution.layers.push_back(leaning);
+    r.document().commit();
+    const Design before = r.document().design;
+    r.play("click \"Layer 2 solo\"\nwait");
+    REQUIRE(r.stage.designer().canvas.distribution());
+    CHECK(r.stage.designer().canvas.distribution()->lobes().size() == 1);
+    CHECK(r.document().design == before);
+    CHECK(!r.document().history.can_redo());
+    r.play("click \"Layer 2 solo\"\nwait");
+    CHECK(r.stage.designer().canvas.distribution()->lobes().size() == 2);
+}
+
+TEST_CASE("canvas: a place on the hemisphere is the canvas's alone") {
+    Rig r;
+    CHECK_THROWS_WITH_AS(r.play("move \"Preview\":@30,0"),
+                         "test: line 1: only the canvas shows normals (Preview)", UserError);
+}

@@ -1,0 +1,171 @@
+#include "ui/canvas_handles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/canvas_path.h"
+#include "ui/theme.h"
+
+namespace nacre::ui {
+namespace {
+
+constexpr float reach = 9;    // pixels within which a press takes a handle
+constexpr double apart = 11;  // pixels from the axis at the least, else an end cannot be told from it
+constexpr int outline_steps = 240;
+
+float scale() { return ImGui::GetFontSize() / 15; }
+
+double distance(const CanvasFrame& frame, dvec3 h, glm::dvec2 pixel) {
+    return frame.view.hidden(h) ? HUGE_VAL : glm::length(frame.view.pixel(h) - pixel);
+}
+
+bool counts(const Layer& layer) { return layer.enabled; }
+
+// The point of the outline nearest to a pixel.
+std::optional<dvec3> outline_under(const CanvasFrame& frame, const Layer& layer, glm::dvec2 pixel) {
+    if (!has_outline(layer)) return {};
+    double nearest = static_cast<double>(reach * scale() * 0.8f);
+    std::optional<dvec3> found;
+    for (int i = 0; i < 2 * outline_steps; ++i) {
+        const dvec3 h = outline_at(layer, i / (2.0 * outline_steps));
+        if (const double d = distance(frame, h, pixel); d < nearest) nearest = d, found = h;
+    }
+    return found;
+}
+
+// Without the ends of a lobe that is too narrow on the screen: zoomed in, they come apart.
+std::vector<Handle> told_apart(const CanvasFrame& frame, const Layer& layer) {
+    std::vector<Handle> handles = handles_of(layer);
+    const glm::dvec2 axis = frame.view.pixel(handles.front().at);
+    std::erase_if(handles, [&](const Handle& handle) {
+        return handle.kind != HandleKind::axis &&
+               distance(frame, handle.at, axis) < apart * static_cast<double>(scale());
+    });
+    return handles;
+}
+
+std::optional<Handle> chosen_handle(const CanvasFrame& frame, const Layer& layer, glm::dvec2 pixel) {
+    double nearest = static_cast<double>(reach * scale());
+    std::optional<Handle> found;
+    for (const Handle& handle : told_apart(frame, layer))
+        if (const double d = distance(frame, handle.at, pixel); d <= nearest) nearest = d, found = handle;
+    if (found) return found;
+    if (const auto h = outline_under(frame, layer, pixel)) return Handle{HandleKind::outline, *h};
+    return {};
+}
+
+void knob(ImVec2 at, float radius, const Colour& fill) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCircleFilled(at, (radius + 1.5f) * scale(), IM_COL32(0, 0, 0, 170));
+    list.AddCircleFilled(at, radius * scale(), ImGui::GetColorU32(fill));
+}
+
+bool same(const std::optional<GrabbedHandle>& handle, HandleKind kind, dvec3 at) {
+    return handle && handle->kind == kind && glm::length(handle->at - at) < 1e-6;
+}
+
+void draw_chosen(const CanvasFrame& frame, const Layer& layer, const std::optional<GrabbedHandle>& hot) {
+    const bool lit = hot && hot->kind == HandleKind::outline;
+    if (has_outline(layer)) {
+        const auto at = [&](double t) { return outline_at(layer, t); };
+        draw_path(frame, at, outline_steps, IM_COL32(0, 0, 0, 130), (lit ? 5.0f : 3.6f) * scale());
+        draw_path(frame, at, outline_steps, ImGui::GetColorU32(lit ? palette::accent_bright : palette::text),
+                  (lit ? 2.4f : 1.5f) * scale());
+    }
+    for (const Handle& handle : told_apart(frame, layer)) {
+        if (frame.view.hidden(handle.at)) continue;
+        const bool under = same(hot, handle.kind, handle.at);
+        const float size = handle.kind == HandleKind::axis ? 5.5f : 4.5f;
+        const float radius = size + (under ? 1.5f : 0.0f);
+        knob(frame.screen(handle.at), radius, under ? palette::accent_bright : palette::text);
+    }
+}
+
+}  // namespace
+
+std::optional<GrabbedHandle> handle_under(const CanvasFrame& frame, const Distribution& distribution,
+                                          std::size_t chosen) {
+    const auto& layers = distribution.layers;
+    const glm::dvec2 pixel = frame.pixel(ImGui::GetIO().MousePos);
+    if (chosen < layers.size() && counts(layers[chosen]))
+        if (const auto handle = chosen_handle(frame, layers[chosen], pixel))
+            return GrabbedHandle{handle->kind, chosen, handle->at, pixel, layers[chosen]};
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const dvec3 axis = handles_of(layers[i]).front().at;
+        if (counts(layers[i]) && distance(frame, axis, pixel) <= static_cast<double>(reach * scale()))
+            return GrabbedHandle{HandleKind::axis, i, axis, pixel, layers[i]};
+    }
+    return {};
+}
+
+bool handle_layers(CanvasState& state, const CanvasFrame& frame, Distribution& distribution,
+                   std::size_t& chosen) {
+    const bool hovered = ImGui::IsItemHovered();
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.grabbed.reset();
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        state.grabbed = handle_under(frame, distribution, chosen);
+        if (state.grabbed) chosen = state.grabbed->layer;
+        if (state.grabbed && state.grabbed->kind == HandleKind::axis &&
+            ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            distribution.layers[chosen].tilt = distribution.layers[chosen].azimuth = 0;
+            state.grabbed.reset();
+            return true;
+        }
+    }
+    if (!state.grabbed || state.grabbed->layer >= distribution.layers.size())
+        return hovered && handle_under(frame, distribution, chosen).has_value();
+    const GrabbedHandle& held = *state.grabbed;
+    const glm::dvec2 pixel = frame.pixel(ImGui::GetIO().MousePos);
+    if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1)) return true;
+    // The handle keeps its distance from the pointer, so that it does not jump when it is taken.
+    const dvec3 to = frame.view.nearest_direction(frame.view.pixel(held.at) + pixel - held.pixel);
+    distribution.layers[held.layer] = pulled(held.before, held.kind, held.at, to);
+    return true;
+}
+
+void draw_handles(const CanvasState& state, const CanvasFrame& frame, const Distribution& distribution,
+                  std::size_t chosen) {
+    std::optional<GrabbedHandle> hot = state.grabbed;
+    if (!hot && frame.hovered) hot = handle_under(frame, distribution, chosen);
+    const auto& layers = distribution.layers;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const dvec3 axis = handles_of(layers[i]).front().at;
+        if (i == chosen || !counts(layers[i]) || frame.view.hidden(axis)) continue;
+        const bool under = hot && hot->layer == i;
+        knob(frame.screen(axis), under ? 5.0f : 3.5f, under ? palette::accent_bright : palette::text_dim);
+    }
+    if (chosen < layers.size() && counts(layers[chosen])) {
+        // What is held has moved since it was taken.
+        if (state.grabbed && hot->kind != HandleKind::outline)
+            for (const Handle& handle : handles_of(layers[chosen]))
+                if (handle.kind == hot->kind &&
+                    distance(frame, handle.at, frame.pixel(ImGui::GetIO().MousePos)) <
+                        distance(frame, hot->at, frame.pixel(ImGui::GetIO().MousePos)))
+                    hot->at = handle.at;
+        draw_chosen(frame, layers[chosen], hot && hot->layer == chosen ? hot : std::nullopt);
+    }
+}
+
+std::string handle_text(const CanvasState& state, const Distribution& distribution) {
+    if (!state.grabbed || state.grabbed->layer >= distribution.layers.size()) return {};
+    const Layer& layer = distribution.layers[state.grabbed->layer];
+    if (state.grabbed->kind == HandleKind::axis)
+        return fmt::format("tilt {:.1f}\u00b0   azimuth {:.1f}\u00b0", layer.tilt, layer.azimuth);
+    if (state.grabbed->kind == HandleKind::outline && outline_turns(layer))
+        return fmt::format("rotation {:.1f}\u00b0", layer.rotation);
+    const auto width = [](double value) {
+        return std::isinf(value) ? "\u221e" : fmt::format("{:.3g}", value);
+    };
+    const auto both = [&](double x, double y) {
+        return fmt::format("width {} \u00d7 {}", width(x), width(y));
+    };
+    if (const auto* l = std::get_if<GaussianLobe>(&layer.lobe)) return both(l->sigma_x, l->sigma_y);
+    if (const auto* l = std::get_if<GgxLobe>(&layer.lobe)) return both(l->alpha_x, l->alpha_y);
+    if (const auto* l = std::get_if<BeckmannLobe>(&layer.lobe)) return both(l->alpha_x, l->alpha_y);
+    if (const auto* l = std::get_if<InverseGaussianLobe>(&layer.lobe)) return "width " + width(l->sigma);
+    return {};
+}
+
+}  // namespace nacre::ui

@@ -1,0 +1,30 @@
+// Lines on the hemisphere as lines on the screen.
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/hemisphere_canvas.h"
+
+namespace nacre::ui {
+
+// Angles from n and from +x toward +y, degrees.
+dvec3 polar_direction(double theta, double phi);
+double polar_angle(dvec3 h);  // [0, 180]
+double azimuth(dvec3 h);      // (-180, 180]
+
+// Through normals at(0) ... at(1); parts that the dome hides are left out.
+template <class At>
+void draw_path(const CanvasFrame& frame, const At& at, int steps, ImU32 colour, float breadth) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PathClear();
+    for (int i = 0; i <= steps; ++i) {
+        const dvec3 h = at(static_cast<double>(i) / steps);
+        if (frame.view.hidden(h))
+            list.PathStroke(colour, 0, breadth);
+        else
+            list.PathLineTo(frame.screen(h));
+    }
+    list.PathStroke(colour, 0, breadth);
+}
+
+}  // namespace nacre::ui

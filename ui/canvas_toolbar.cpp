@@ -1,0 +1,258 @@
+#include "ui/canvas_toolbar.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "ui/canvas_grid.h"
+#include "ui/canvas_paint.h"
+#include "ui/canvas_path.h"
+#include "ui/item_map.h"
+#include "ui/slider_bar.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+struct ToolEntry {
+    CanvasTool tool;
+    const char* name;
+    char key;
+    const char* tooltip;
+};
+
+constexpr ToolEntry tools[] = {
+    {CanvasTool::handles, "Handles", 'V',
+     "Shape lobes by their handles (V): the middle leans a lobe, its ends widen it, its outline turns it."},
+    {CanvasTool::grab, "Grab", 'G',
+     "Take hold of a highlight, here or on the sphere, and carry it along (G): the layer that is strongest "
+     "there "
+     "follows."},
+    {CanvasTool::paint, "Paint", 'B',
+     "Paint facets (B), here or on the sphere. On a lobe that is no painted one a "
+     "new "
+     "painted layer begins."},
+    {CanvasTool::erase, "Erase", 'E', "Take facets away (E)."},
+    {CanvasTool::smooth, "Smooth", 'S', "Soften what is painted (S)."},
+    {CanvasTool::smear, "Smear", 'M', "Push paint along (M)."},
+    {CanvasTool::stamp, "Stamp", 'T', "Stamp a picture, as broad as the brush (T)."},
+    {CanvasTool::line, "Line", 'L', "A line from press to release (L)."},
+    {CanvasTool::ring, "Ring", 'R', "A ring about the press (R): a halo."},
+    {CanvasTool::star, "Star", 'K', "Rays from the press that taper off (K): a sparkle."},
+};
+
+constexpr const char* symmetries[] = {"No symmetry", "Mirror x", "Mirror y",
+                                      "Mirror both", "Turns",    "Full ring"};
+constexpr double key_factor = 1.15;  // of the radius, for each press of [ or ]
+
+// Stays on the line if a widget of this breadth fits there.
+void flow(float breadth, float gap) {
+    const float right = ImGui::GetItemRectMax().x + gap + breadth;
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (right <= end) ImGui::SameLine(0, gap);
+}
+
+float breadth_of(const char* text) {
+    return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+void tool_button(CanvasState& state, const ToolEntry& entry) {
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton(entry.name, ImVec2(side, side))) state.tool = entry.tool;
+    note_item(entry.name);
+    const bool chosen = state.tool == entry.tool, hovered = ImGui::IsItemHovered();
+    if (chosen || hovered)
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            corner, {corner.x + side, corner.y + side},
+            ImGui::GetColorU32(chosen ? palette::accent_dim : palette::field),
+            ImGui::GetStyle().FrameRounding);
+    draw_tool_icon(entry.tool, corner, side,
+                   ImGui::GetColorU32(chosen ? palette::accent_bright : palette::text));
+    tooltip_for_item(entry.tooltip);
+}
+
+void view_buttons(CanvasState& state) {
+    HemisphereCamera& camera = state.camera;
+    flow(breadth_of("Dome"), ImGui::GetStyle().ItemSpacing.x);
+    if (button(camera.dome ? "Dome##Dome" : "Disk##Dome",
+               "All facet normals as an equal-area disk seen from above, or as a dome that the right button "
+               "turns."))
+        camera = {.dome = !camera.dome, .below = camera.below};
+    flow(breadth_of("Lin"), ImGui::GetStyle().ItemInnerSpacing.x);
+    if (button(state.logarithmic ? "Log##Scale" : "Lin##Scale",
+               "How p becomes brightness: linear, or logarithmic over four decades, which shows the haze "
+               "around a "
+               "core."))
+        state.logarithmic = !state.logarithmic;
+}
+
+// A slider without a label column: its number says what it is.
+bool bar(const char* name, const SliderSpec& spec, float breadth, double& value) {
+    const double before = value;
+    ImGui::PushID(name);
+    ImGui::SetNextItemWidth(breadth);
+    slider_bar(spec, value, false);
+    ImGui::PopID();
+    note_item(name);
+    tooltip_for_item(spec.tooltip);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        ImGui::ClearActiveID();
+        value = spec.reset;
+    }
+    value = std::isnan(value) ? before : std::clamp(value, spec.least, spec.most);
+    return value != before;
+}
+
+bool percent(const char* name, const char* format, const char* text, float breadth, double reset,
+             double& part) {
+    double hundredths = part * 100;
+    const SliderSpec spec{.label = name,
+                          .low = 0,
+                          .high = 100,
+                          .least = 0,
+                          .most = 100,
+                          .reset = reset * 100,
+                          .format = format,
+                          .logarithmic = false,
+                          .tooltip = text};
+    if (!bar(name, spec, breadth, hundredths)) return false;
+    part = hundredths / 100;
+    return true;
+}
+
+void whole_number(const char* name, const char* format, int low, int high, float breadth, int& number) {
+    double value = number;
+    const SliderSpec spec{.label = name,
+                          .low = double(low),
+                          .high = double(high),
+                          .least = double(low),
+                          .most = double(high),
+                          .reset = double(number),
+                          .format = format,
+                          .logarithmic = false,
+                          .tooltip = nullptr};
+    if (bar(name, spec, breadth, value)) number = static_cast<int>(std::lround(value));
+}
+
+void choice(const char* name, int& index, const std::vector<const char*>& names, float breadth,
+            const char* text) {
+    ImGui::SetNextItemWidth(breadth);
+    const bool open =
+        ImGui::BeginCombo(("##" + std::string(name)).c_str(), names[static_cast<std::size_t>(index)]);
+    note_item(name);
+    tooltip_for_item(text);
+    if (!open) return;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (ImGui::Selectable(names[i], static_cast<int>(i) == index)) index = static_cast<int>(i);
+        note_item(std::string(name) + " " + names[i]);
+    }
+    ImGui::EndCombo();
+}
+
+// The middle of the row: what only this tool has in place of a hard edge.
+void tool_number(CanvasState& state, float breadth) {
+    if (state.tool == CanvasTool::stamp) {
+        std::vector<const char*> names;
+        for (const NamedStamp& stamp : state.stamps) names.push_back(stamp.name.c_str());
+        int index = static_cast<int>(state.stamp);
+        choice("Stamp picture", index, names, breadth, "The picture to stamp with: white paints.");
+        state.stamp = static_cast<std::size_t>(index);
+    } else if (state.tool == CanvasTool::star) {
+        whole_number("Rays", "%.0f rays", 3, 24, breadth, state.rays);
+    } else {
+        percent("Hardness", "hard %.0f %%", "How much of the brush covers in full, from its middle.", breadth,
+                Brush{}.hardness, state.brush.hardness);
+    }
+}
+
+void brush_row(CanvasState& state) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
+    const bool turns = state.symmetry.kind == SymmetryKind::turns;
+    const float breadth = size * (turns ? 5.5f : 6.2f), menu = size * 8;
+    bar("Brush radius",
+        {.label = "Brush radius",
+         .low = brush_radius_least,
+         .high = brush_radius_most,
+         .least = brush_radius_least,
+         .most = brush_radius_most,
+         .reset = Brush{}.radius,
+         .format = "r %.1f\u00b0",
+         .logarithmic = true,
+         .tooltip = "The brush's radius on the hemisphere; the keys [ and ] change it."},
+        breadth, state.brush.radius);
+    flow(breadth, gap);
+    tool_number(state, breadth);
+    flow(breadth, gap);
+    percent("Flow", "flow %.0f %%", "How much one touch of the brush does.", breadth, Brush{}.flow,
+            state.brush.flow);
+    flow(menu, gap);
+    int kind = static_cast<int>(state.symmetry.kind);
+    choice("Symmetry", kind, {std::begin(symmetries), std::end(symmetries)}, menu,
+           "Copies of each stroke about the layer's axis.");
+    state.symmetry.kind = static_cast<SymmetryKind>(kind);
+    if (!turns) return;
+    flow(size * 3.2f, gap);
+    whole_number("Turns", "\u00d7 %.0f", turns_least, turns_most, size * 3.2f, state.symmetry.turns);
+}
+
+// What stands in place of the brush's numbers while there is no brush.
+void handles_row(const CanvasState& state, Distribution& distribution) {
+    const bool leans = state.mean && polar_angle(*state.mean) >= lean_noticed;
+    if (button("Straighten",
+               "Turn all layers together by the smallest angle that brings the mean normal to n. While it "
+               "leans, "
+               "facets on one side show more area than the surface has; Keep energy then counts none twice.",
+               leans))
+        straighten(distribution, *state.mean);
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
+    ImGui::TextUnformatted(state.tool == CanvasTool::grab ? "Drag a highlight, here or on the sphere."
+                                                          : "Drag a lobe's middle, ends or outline.");
+    ImGui::PopStyleColor();
+}
+
+void take_keys(CanvasState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || ImGui::IsAnyMouseDown() ||
+        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        return;
+    for (const ToolEntry& entry : tools)
+        if (ImGui::IsKeyPressed(entry.key, false)) state.tool = entry.tool;
+    const double factor = ImGui::IsKeyPressed(']')   ? key_factor
+                          : ImGui::IsKeyPressed('[') ? 1 / key_factor
+                                                     : 1;
+    state.brush.radius = std::clamp(state.brush.radius * factor, brush_radius_least, brush_radius_most);
+}
+
+}  // namespace
+
+void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
+    take_keys(state);
+    bool first = true;
+    for (const ToolEntry& entry : tools) {
+        if (!first)
+            flow(ImGui::GetFrameHeight(),
+                 entry.tool == CanvasTool::paint || entry.tool == CanvasTool::line ? 8.0f : 2.0f);
+        first = false;
+        tool_button(state, entry);
+    }
+    flow(breadth_of("New layer"), ImGui::GetStyle().ItemSpacing.x);
+    if (button("New layer##New painted layer", "A new layer to paint on, with nothing on it yet.",
+               distribution.layers.size() < limits::layers_max)) {
+        add_painted_layer(distribution, chosen);
+        if (state.tool == CanvasTool::handles) state.tool = CanvasTool::paint;
+    }
+    view_buttons(state);
+    if (state.tool == CanvasTool::handles || state.tool == CanvasTool::grab)
+        handles_row(state, distribution);
+    else
+        brush_row(state);
+}
+
+}  // namespace nacre::ui

@@ -1,0 +1,15 @@
+// The buttons above the canvas: tools, the brush's numbers, how p is shown.
+#pragma once
+
+#include "ui/hemisphere_canvas.h"
+
+namespace nacre::ui {
+
+// Two rows, or more where the canvas is narrow. Takes the keys of the tools, and [ and ] for the brush's
+// radius.
+void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen);
+
+// Draws a tool's sign into a square.
+void draw_tool_icon(CanvasTool tool, ImVec2 corner, float side, ImU32 colour);
+
+}  // namespace nacre::ui

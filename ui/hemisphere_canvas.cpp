@@ -1,0 +1,181 @@
+#include "ui/hemisphere_canvas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/paint/colour_map.h"
+#include "ui/brush_surface.h"
+#include "ui/canvas_grid.h"
+#include "ui/canvas_handles.h"
+#include "ui/canvas_paint.h"
+#include "ui/canvas_path.h"
+#include "ui/canvas_toolbar.h"
+#include "ui/item_map.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+constexpr double zoom_per_notch = 1.15;
+constexpr double degrees_per_pixel = 0.4;
+constexpr int bar_steps = 48;
+constexpr double unseen = 1e-9;  // of the peak: what lies below is read as 0
+
+void move_camera(CanvasState& state, const CanvasFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    HemisphereCamera& camera = state.camera;
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+        camera = zoomed(frame.view, frame.pixel(io.MousePos),
+                        std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)));
+    if (!ImGui::IsItemActive()) return;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right) && camera.dome) {
+        camera.yaw =
+            std::remainder(camera.yaw + static_cast<double>(io.MouseDelta.x) * degrees_per_pixel, 360.0);
+        camera.pitch =
+            std::clamp(camera.pitch + static_cast<double>(io.MouseDelta.y) * degrees_per_pixel, 0.0, 90.0);
+    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+        camera = panned(frame.view, {io.MouseDelta.x, io.MouseDelta.y});
+    }
+}
+
+std::optional<dvec3> cursor_of(const CanvasFrame& frame) {
+    if (!frame.hovered) return {};
+    return frame.view.direction(frame.pixel(ImGui::GetIO().MousePos));
+}
+
+BrushSurface surface_of(const CanvasFrame& frame) {
+    return {
+        .surface = Surface::canvas,
+        .hovered = frame.hovered,
+        .active = ImGui::IsItemActive(),
+        .pointed_at = frame.cursor,
+        .pixel = frame.pixel(ImGui::GetIO().MousePos),
+        .normal = [&frame](glm::dvec2 pixel) { return std::optional(frame.view.nearest_direction(pixel)); }};
+}
+
+float legend_height() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
+
+void text_at(ImVec2 at, const std::string& text, const Colour& colour) {
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(colour), text.c_str());
+}
+
+std::string readout(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    if (contents.design)
+        if (std::string held = handle_text(state, *contents.design); !held.empty()) return held;
+    const std::optional<dvec3>& pointed = frame.cursor ? frame.cursor : state.marked;
+    if (!pointed) return {};
+    const dvec3 h = *pointed;
+    std::string text = fmt::format("\u03b8 {:.1f}\u00b0   \u03c6 {:.1f}\u00b0", polar_angle(h), azimuth(h));
+    if (!contents.p) return text;
+    const double p = contents.p->density(h);
+    text += fmt::format("   p {:.3g} /sr", p < unseen * contents.scale.peak ? 0 : p);
+    return text;
+}
+
+// The colours from 0 to the peak, with the cursor's place among them.
+void colour_bar(ImVec2 low, ImVec2 high, const CanvasFrame& frame, const CanvasContents& contents) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float step = (high.x - low.x) / bar_steps;
+    const auto colour = [](int i) {
+        const glm::u8vec3 c = inferno(static_cast<double>(i) / bar_steps);
+        return IM_COL32(c.x, c.y, c.z, 255);
+    };
+    for (int i = 0; i < bar_steps; ++i) {
+        const float x = low.x + static_cast<float>(i) * step;
+        list.AddRectFilledMultiColor({x, low.y}, {x + step, high.y}, colour(i), colour(i + 1), colour(i + 1),
+                                     colour(i));
+    }
+    list.AddRect(low, high, ImGui::GetColorU32(palette::line));
+    if (!frame.cursor || !contents.p) return;
+    const auto at = static_cast<float>(contents.scale.position(contents.p->density(*frame.cursor)));
+    const float x = low.x + at * (high.x - low.x);
+    list.AddLine({x, low.y - 3}, {x, high.y + 3}, ImGui::GetColorU32(palette::text), 2);
+}
+
+void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    const float size = ImGui::GetFontSize(), top = frame.high.y + ImGui::GetStyle().ItemSpacing.y * 0.5f;
+    const float left = frame.low.x + size * 0.8f, right = frame.high.x - size * 0.8f;
+    const std::string least =
+        contents.scale.logarithmic ? fmt::format("{:.2g}", contents.scale.value(0)) : "0";
+    const std::string most = fmt::format("{:.3g} /sr", contents.scale.peak);
+    const float bar = left + ImGui::CalcTextSize(least.c_str()).x + size * 0.5f, breadth = size * 6;
+    std::string text = readout(state, frame, contents);
+    Colour colour = palette::text;
+    if (text.empty() && contents.p) {
+        const double lean = lean_of_mean(*contents.p);
+        colour = lean < lean_noticed ? palette::text_dim : palette::amber;
+        text =
+            lean < lean_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", lean);
+    }
+    const float text_left = right - ImGui::CalcTextSize(text.c_str()).x;
+    text_at({text_left, top}, text, colour);
+    // Where the canvas is narrow the numbers go first.
+    const float bar_end = bar + breadth + size * 0.5f + ImGui::CalcTextSize(most.c_str()).x;
+    if (!text.empty() && bar_end + size * 0.5f > text_left) return;
+    text_at({left, top}, least, palette::text_dim);
+    colour_bar({bar, top + size * 0.15f}, {bar + breadth, top + size * 0.95f}, frame, contents);
+    text_at({bar + breadth + size * 0.5f, top}, most, palette::text_dim);
+}
+
+}  // namespace
+
+ImVec2 CanvasFrame::screen(dvec3 h) const {
+    const glm::dvec2 at = view.pixel(h);
+    return {low.x + static_cast<float>(at.x), low.y + static_cast<float>(at.y)};
+}
+
+glm::dvec2 CanvasFrame::pixel(ImVec2 screen) const { return {screen.x - low.x, screen.y - low.y}; }
+
+CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
+    const float border = ImGui::GetFontSize() * 0.6f;
+    ImGui::SetCursorPos({ImGui::GetCursorPosX() + border, ImGui::GetCursorPosY() + border});
+    ImGui::BeginGroup();
+    canvas_toolbar(state, distribution, chosen);
+    ImGui::EndGroup();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 size(std::max(room.x, 1.0f), std::max(room.y - legend_height(), 1.0f));
+    ImGui::InvisibleButton("Canvas", size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    note_item("Canvas");
+    const glm::dvec2 extent(size.x, size.y);
+    CanvasFrame frame{.low = low,
+                      .high = {low.x + size.x, low.y + size.y},
+                      .view = HemisphereView(state.camera, extent),
+                      .hovered = ImGui::IsItemHovered(),
+                      .cursor = {}};
+    frame.cursor = cursor_of(frame);
+    move_camera(state, frame);
+    const bool taken = state.tool == CanvasTool::handles
+                           ? handle_layers(state, frame, distribution, chosen)
+                           : use_tool(state, surface_of(frame), distribution, chosen);
+    if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
+                          ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
+        state.camera = {.dome = state.camera.dome, .below = state.camera.below};
+    frame.view = HemisphereView(state.camera, extent);
+    frame.cursor = cursor_of(frame);
+    return frame;
+}
+
+void end_canvas(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(frame.low, frame.high, true);
+    if (contents.picture != nullptr)
+        list.AddImage(contents.picture, frame.low,
+                      {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
+    draw_grid(frame);
+    if (contents.p) draw_mean_normal(frame, *contents.p);
+    if (contents.design && state.tool == CanvasTool::handles)
+        draw_handles(state, frame, *contents.design, contents.chosen);
+    else if (contents.design)
+        draw_brush(state, frame, *contents.design, contents.chosen);
+    if (state.marked) draw_mark(frame, *state.marked);
+    list.PopClipRect();
+    legend(state, frame, contents);
+}
+
+}  // namespace nacre::ui

@@ -1,0 +1,100 @@
+// The canvas: p(h) on the hemisphere of facet normals, with its grid, its colour scale and the cursor's
+// numbers.
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+#include <optional>
+
+#include "core/model/facet_distribution.h"
+#include "core/paint/density_picture.h"
+#include "core/paint/hemisphere_view.h"
+#include "core/paint/lobe_handles.h"
+#include "core/paint/shape.h"
+#include "core/paint/stamps.h"
+#include "core/paint/stroke.h"
+
+namespace nacre::ui {
+
+// A handle that is held, as it was when it was taken.
+struct GrabbedHandle {
+    HandleKind kind;
+    std::size_t layer;
+    dvec3 at;
+    glm::dvec2 pixel;  // of the pointer
+    Layer before;
+};
+
+// What the left button does.
+enum class CanvasTool { handles, grab, paint, erase, smooth, smear, stamp, line, ring, star };
+
+// Where a drag has begun and therefore stays.
+enum class Surface { canvas, sphere };
+
+// A layer that is carried along.
+struct CarriedLayer {
+    std::size_t layer;
+    Layer before;
+    dvec3 from;
+    Surface surface;
+};
+
+// A stroke or a shape while the button is held.
+struct HeldBrush {
+    std::size_t layer;
+    Layer before;
+    double first_weight;           // see set_raster()
+    std::optional<Stroke> stroke;  // none for a shape
+    dvec3 from;                    // of a shape, in the layer's frame
+    glm::dvec2 pixel;              // of the pointer in the frame before
+    Surface surface;
+};
+
+// What the canvas remembers between frames; no part of the document.
+struct CanvasState {
+    HemisphereCamera camera;
+    bool logarithmic = false;
+    CanvasTool tool = CanvasTool::handles;
+    Brush brush;
+    BrushSymmetry symmetry;
+    int rays = 5;  // of a star
+    std::vector<NamedStamp> stamps = built_in_stamps();
+    std::size_t stamp = 0;
+    std::optional<GrabbedHandle> grabbed;
+    std::optional<HeldBrush> held;
+    std::optional<CarriedLayer> carried;
+    std::function<std::optional<std::size_t>(dvec3)> strongest_layer;  // at a normal, if any has facets there
+    std::optional<dvec3> mean;    // of the facets' normals, in the frame before
+    std::optional<dvec3> marked;  // by the preview: the normal of the facets that light what is pointed at
+};
+
+// Where the canvas lies in this frame, and what its pixels stand for.
+struct CanvasFrame {
+    ImVec2 low, high;  // left top, right bottom
+    HemisphereView view;
+    bool hovered = false;
+    std::optional<dvec3> cursor;  // the normal under the pointer
+
+    ImVec2 screen(dvec3 h) const;
+    glm::dvec2 pixel(ImVec2 screen) const;  // as `view` counts
+};
+
+// What is shown on the canvas.
+struct CanvasContents {
+    const Distribution* design = nullptr;
+    std::size_t chosen = 0;                // layer
+    const FacetDistribution* p = nullptr;  // null for a design without facets
+    ImTextureID picture = nullptr;         // null while there is none
+    ImVec2 picture_size;                   // pixels from the canvas's left top corner that it covers
+    DensityScale scale;
+};
+
+// The buttons above the canvas. Fills the rest of the window but for the legend below it. The wheel and the
+// middle and right buttons move the camera; the left one pulls handles of the layers or paints.
+CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::size_t& chosen);
+
+// Picture, grid, mean normal, handles or brush, and the legend below.
+void end_canvas(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents);
+
+}  // namespace nacre::ui
