@@ -8,8 +8,8 @@
 namespace nacre {
 namespace {
 
-// Directions between nodes: three a cell up to this many, then as many as there are cells, strewn
-// evenly.
+// Directions between nodes: three a cell up to this many, then as many as there are cells, strewn evenly; for
+// a draft just so many.
 constexpr int final_between = 768, draft_between = 192;
 
 // Samples whose neighbours are looked at.
@@ -25,7 +25,7 @@ AreaTable::AreaTable(std::shared_ptr<const FacetDistribution> distribution,
                      Quality quality, Workers& workers)
     : distribution_(std::move(distribution)),
       nodes_(nodes),
-      between_most_(quality == Quality::draft ? draft_between : final_between),
+      quality_(quality),
       grid_(std::make_shared<const StretchedGrid>(*distribution_, symmetry, nodes.azimuth, without_moment)) {
     sample_nodes_and_between(workers);
     fill();
@@ -36,7 +36,7 @@ AreaTable::AreaTable(const AreaTable& before, std::shared_ptr<const FacetDistrib
                      const std::vector<std::vector<Facet>>& changes, Workers& workers)
     : distribution_(std::move(distribution)),
       nodes_(before.nodes_),
-      between_most_(before.between_most_),
+      quality_(before.quality_),
       grid_(before.grid_),
       samples_(before.samples_),
       areas_(before.areas_) {
@@ -61,8 +61,7 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
             samples.push_back(
                 sample_at({static_cast<double>(column), static_cast<double>(row), TablePlace::node}));
     const TableCells cells = this->cells();
-    for (const TablePoint& point :
-         all_measured() ? cells.every_place() : cells.strewn(std::max(between_most_, cells.count())))
+    for (const TablePoint& point : all_measured() ? cells.every_place() : cells.strewn(strewn_directions()))
         samples.push_back(sample_at(point));
     for (const TablePoint& point : cells.grazing(grazing_samples)) samples.push_back(sample_at(point));
     add_samples(std::move(samples), workers);
@@ -93,7 +92,11 @@ void AreaTable::sample_near_worst(Workers& workers) {
 
 TableCells AreaTable::cells() const { return {nodes_, grid_->symmetry()}; }
 
-bool AreaTable::all_measured() const { return cells().flat() || 3 * cells().count() <= between_most_; }
+int AreaTable::strewn_directions() const {
+    return quality_ == Quality::draft ? draft_between : std::max(final_between, cells().count());
+}
+
+bool AreaTable::all_measured() const { return cells().flat() || 3 * cells().count() <= strewn_directions(); }
 
 std::size_t AreaTable::node_count() const {
     return static_cast<std::size_t>(nodes_.azimuth) * static_cast<std::size_t>(nodes_.polar);

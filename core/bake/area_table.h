@@ -52,12 +52,13 @@ class AreaTable {
     void fill();
     double area_at(std::size_t index) const;
     TableCells cells() const;
+    int strewn_directions() const;
     bool all_measured() const;
     std::size_t node_count() const;
 
     std::shared_ptr<const FacetDistribution> distribution_;
     TableNodes nodes_;
-    int between_most_;  // directions between nodes, see area_table.cpp
+    Quality quality_;
     std::shared_ptr<const StretchedGrid> grid_;
     std::shared_ptr<const std::vector<Sample>> samples_;  // the nodes row by row, then what lies between
     std::vector<double> areas_;  // of each sample each lobe's own g, before its scale
