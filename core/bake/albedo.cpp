@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/bake/tables.h"
+
 namespace nacre {
 namespace {
 
@@ -98,7 +100,7 @@ WeightedDirections columns_of(const std::vector<Facet>& facets) {
 
 double difference(const AlbedoValues& a, const AlbedoValues& b) {
     double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::fmax(most, std::fabs(a[i] - b[i]));
+    for (std::size_t i = 0; i < a.size(); ++i) most = worse_error(most, std::fabs(a[i] - b[i]));
     return most;
 }
 
@@ -190,7 +192,7 @@ std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) {
         double worst = 0, squares = 0;
         for (std::size_t i = 0; i < finer.size(); ++i) {
             const double d = difference(now[i], finer[i]);
-            worst = std::fmax(worst, d);
+            worst = worse_error(worst, d);
             squares += d * d / trials;
         }
         if (worst <= 2 * tolerance && squares <= 0.25 * tolerance * tolerance) break;

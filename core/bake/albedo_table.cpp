@@ -9,11 +9,6 @@ namespace {
 // Beyond those between nodes.
 constexpr int grazing_probes = 24;
 
-// The places of a table whose axes are v and rho.
-struct Place {
-    static constexpr auto along_v = TablePlace::along_polar, along_rho = TablePlace::along_azimuth;
-};
-
 struct Probe {
     dvec3 k;
     TablePlace place;
@@ -68,8 +63,9 @@ void AlbedoTable::measure(const AlbedoRules& rules, const BakePlan& plan, Worker
     });
     error_.all = summarise(errors);
     for (std::size_t i = 0; i < probes.size(); ++i) {
-        if (probes[i].place == Place::along_v) error_.polar = std::fmax(error_.polar, errors[i]);
-        if (probes[i].place == Place::along_rho) error_.azimuth = std::fmax(error_.azimuth, errors[i]);
+        if (probes[i].place == TablePlace::along_polar) error_.polar = worse_error(error_.polar, errors[i]);
+        if (probes[i].place == TablePlace::along_azimuth)
+            error_.azimuth = worse_error(error_.azimuth, errors[i]);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "core/model/disk.h"
@@ -148,15 +149,18 @@ class Painted final : public LobeModel {
 // The smallest part that holds every texel in which two rasters of one size differ.
 MomentPyramid::Part difference(const Raster& a, const Raster& b) {
     MomentPyramid::Part part{a.height, 0, a.width, 0};
+    const auto same = [](const float* x, const float* y, int count) {
+        return std::memcmp(x, y, static_cast<std::size_t>(count) * sizeof(float)) == 0;
+    };
     for (int row = 0; row < a.height; ++row) {
         const float* x = &a.values[static_cast<std::size_t>(row * a.width)];
         const float* y = &b.values[static_cast<std::size_t>(row * a.width)];
-        if (std::equal(x, x + a.width, y)) continue;
+        if (same(x, y, a.width)) continue;
         part.row_begin = std::min(part.row_begin, row);
         part.row_end = row + 1;
         int first = 0, last = a.width;
-        while (x[first] == y[first]) ++first;
-        while (x[last - 1] == y[last - 1]) --last;
+        while (same(x + first, y + first, 1)) ++first;
+        while (same(x + last - 1, y + last - 1, 1)) --last;
         part.column_begin = std::min(part.column_begin, first);
         part.column_end = std::max(part.column_end, last);
     }
