@@ -51,14 +51,15 @@ BakeJob::BakeJob(int threads)
           bake_twice(baker_, drafted_, request, stop, publish, threads);
       }) {}
 
-void BakeJob::want(const BakeRequest& request) {
-    if (wanted_ == request) return;
+bool BakeJob::want(const BakeRequest& request) {
+    if (wanted_ == request) return false;
     wanted_ = request;
     asked_ = job_.submit(request);
+    return true;
 }
 
-std::shared_ptr<const Tables> BakeJob::poll() {
-    const auto published = job_.poll();
+std::shared_ptr<const Tables> BakeJob::poll(std::chrono::milliseconds patience) {
+    const auto published = patience.count() > 0 ? job_.poll_within(patience) : job_.poll();
     if (!published) return nullptr;
     answered_ = published->revision;
     problem_ = published->error ? plain_words(published->error) : std::string();

@@ -1,6 +1,7 @@
 // The bake on the worker: a draft within milliseconds, then, once the design is settled, the final tables.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,11 +24,12 @@ class BakeJob {
   public:
     explicit BakeJob(int threads);
 
-    // Starts a bake unless this is what was asked for last.
-    void want(const BakeRequest& request);
+    // Starts a bake unless this is what was asked for last. True when it did.
+    bool want(const BakeRequest& request);
 
-    // The newest tables since the last call, or null; keeps `problem` up to date.
-    std::shared_ptr<const Tables> poll();
+    // The newest tables since the last call, or null; keeps `problem` up to date. An answer to the newest
+    // request may take up to `patience` to come.
+    std::shared_ptr<const Tables> poll(std::chrono::milliseconds patience = {});
 
     // Why the newest finished request was refused, in plain words; empty when it was not.
     const std::string& problem() const { return problem_; }

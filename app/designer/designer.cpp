@@ -2,9 +2,8 @@
 
 #include <imgui.h>
 
-#include <algorithm>
+#include <chrono>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "app/designer/scene_panel.h"
@@ -18,8 +17,9 @@
 namespace nacre {
 namespace {
 
-constexpr double rest_seconds = 0.2;  // of a held button without a change of p
-constexpr double probe_radius = 3;    // degrees of normals that glow while nothing is painted
+constexpr double rest_seconds = 0.2;               // of a held button without a change of p
+constexpr std::chrono::milliseconds patience{25};  // for a draft, while nothing else is drawn
+constexpr double probe_radius = 3;                 // degrees of normals that glow while nothing is painted
 
 void draw_presets(Designer& designer) {
     std::vector<std::string> names;
@@ -98,9 +98,25 @@ void notice_rest(Designer& designer, const Distribution& shown) {
     designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
 }
 
-}  // namespace
+// Asks for tables of what is shown now. True when they are others than were asked for before.
+bool ask(Designer& designer) {
+    Design shown = designer.document.design;
+    shown.distribution = ui::shown(designer.layers, shown.distribution);
+    notice_rest(designer, shown.distribution);
+    return designer.baker.want(
+        {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
+}
 
-int interactive_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+// A draft that comes within a moment is seen in the very frame of the edit that it answers.
+void follow_bake(Designer& designer) {
+    const bool asked = ask(designer);
+    if (auto tables = designer.baker.poll(asked ? patience : std::chrono::milliseconds(0))) {
+        designer.tables_text = tables_text(*tables);
+        designer.preview.show(std::move(tables));
+    }
+}
+
+}  // namespace
 
 Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets(presets_folder())) {}
 
@@ -113,14 +129,14 @@ void draw_frame(Designer& designer) {
                              .title = document.title()};
     if (const auto command = ui::menu_bar(menu)) perform(designer, *command);
 
-    if (auto tables = designer.baker.poll()) {
-        designer.tables_text = tables_text(*tables);
-        designer.preview.show(std::move(tables));
-    }
     designer.canvas.state.marked = designer.preview.pointed_at();
     draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
                                   .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
-                                  .preview = [&] { draw_preview(designer); },
+                                  .preview =
+                                      [&] {
+                                          follow_bake(designer);
+                                          draw_preview(designer);
+                                      },
                                   .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
     if (!designer.files.talking())
@@ -128,11 +144,7 @@ void draw_frame(Designer& designer) {
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
-    Design shown = document.design;
-    shown.distribution = ui::shown(designer.layers, document.design.distribution);
-    notice_rest(designer, shown.distribution);
-    designer.baker.want(
-        {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
+    ask(designer);
 }
 
 void perform(Designer& designer, ui::Command command) {

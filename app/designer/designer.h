@@ -20,11 +20,9 @@
 
 namespace nacre {
 
-// Threads a bake of the designer takes: one core is left for drawing.
-int interactive_threads();
-
 struct Designer {
-    explicit Designer(int bake_threads = interactive_threads());
+    // 0 threads: as many as the machine has. The worker gives way to drawing by its nice level.
+    explicit Designer(int bake_threads = 0);
 
     Document document;
     Scene scene;

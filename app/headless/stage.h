@@ -19,7 +19,7 @@ namespace nacre {
 struct StageOptions {
     glm::ivec2 size{1280, 800};
     float ui_scale = 1;
-    int bake_threads = interactive_threads();
+    int bake_threads = 0;  // as many as the machine has
 };
 
 class Stage {

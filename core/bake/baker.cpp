@@ -19,6 +19,9 @@ constexpr double area_part = 0.75, albedo_part = 0.8;
 // Floats of all tables of a design, 64 KiB, and what of them g may take.
 constexpr int floats_most = 16384, area_floats_most = 7424;
 
+// Of eq. 28's constant, between two rows of R.
+constexpr double final_coupling = 1e-7, draft_coupling = 1e-4;
+
 // Directions by which R is measured.
 constexpr int final_probes = 160, draft_probes = 16;
 
@@ -269,7 +272,8 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
         AlbedoTable::place(shading, made.plan, static_cast<int>(tables.data.size()));
         tables.data.insert(tables.data.end(), made.albedo->data().begin(), made.albedo->data().end());
         shading.data = tables.data.data();
-        const AlbedoIntegrals integrals = integrate_albedo(shading, workers);
+        const AlbedoIntegrals integrals = integrate_albedo(
+            shading, made.options.quality == Quality::draft ? draft_coupling : final_coupling, workers);
         tables.mean_albedo = integrals.mean;
         shading.surface.coupling = integrals.coupling;
         // An error of g is one of P in R = E[F P], so that it adds its mean at the most.

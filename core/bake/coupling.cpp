@@ -54,7 +54,7 @@ std::vector<double> row_azimuths(const Shading<double>& shading) {
 
 }  // namespace
 
-AlbedoIntegrals integrate_albedo(const Shading<double>& shading, Workers& workers) {
+AlbedoIntegrals integrate_albedo(const Shading<double>& shading, double tolerance, Workers& workers) {
     Integrals sum{};
     double covered = 0;
     if (shading.surface.tables.symmetry == Shading<double>::SYMMETRY_ISOTROPIC) {
@@ -67,7 +67,7 @@ AlbedoIntegrals integrate_albedo(const Shading<double>& shading, Workers& worker
         workers.for_each(static_cast<int>(parts.size()), [&](int i) {
             const std::size_t at = static_cast<std::size_t>(i);
             parts[at] = integrate_adaptively<4>([&](double phi) { return integrate_meridian(shading, phi); },
-                                                azimuths[at], azimuths[at + 1], 1e-7, 12);
+                                                azimuths[at], azimuths[at + 1], tolerance, 12);
         });
         for (const Integrals& part : parts)
             for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += part[j];

@@ -13,7 +13,8 @@ struct AlbedoIntegrals {
         0};  // c = 1/integral of (whole - R)+ cos dk for each colour, 1/sr; 0 where nothing is left
 };
 
-// `shading` holds finished albedo tables; whole is 1, or f0 for the paper's metal. Throws BakeCancelled.
-AlbedoIntegrals integrate_albedo(const Shading<double>& shading, Workers& workers);
+// `shading` holds finished albedo tables; whole is 1, or f0 for the paper's metal. `tolerance`: absolute, of
+// what lies between two rows of R. Throws BakeCancelled.
+AlbedoIntegrals integrate_albedo(const Shading<double>& shading, double tolerance, Workers& workers);
 
 }  // namespace nacre

@@ -1,8 +1,9 @@
 // One worker thread that always works on the newest request. The interface submits, polls once a
-// frame and never waits; a command line submits and waits. Each result carries the revision of the
-// request it was made for.
+// frame and waits for a moment at the most; a command line submits and waits. Each result carries the
+// revision of the request it was made for.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -59,6 +60,15 @@ class LatestJob {
         return std::exchange(newest_, std::nullopt);
     }
 
+    // The same, but an answer to the newest request may take up to `patience` to come.
+    std::optional<Published> poll_within(std::chrono::milliseconds patience) {
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, patience, [this] {
+            return (!waiting_ && !running_) || (newest_ && newest_->revision == submitted_);
+        });
+        return std::exchange(newest_, std::nullopt);
+    }
+
     bool busy() const {
         const std::lock_guard lock(mutex_);
         return waiting_.has_value() || running_;
@@ -107,6 +117,7 @@ class LatestJob {
         const std::lock_guard lock(mutex_);
         newest_ = std::move(published);
         running_has_published_ = true;
+        changed_.notify_all();
         if (waiting_) running_stop_.request_stop();
     }
 

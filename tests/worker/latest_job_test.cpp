@@ -55,6 +55,28 @@ TEST_CASE("LatestJob: the newest request replaces a waiting one") {
     CHECK(job.poll()->result == 5);
 }
 
+TEST_CASE("LatestJob: a quick answer is waited for, a slow one is not") {
+    std::promise<void> gate;
+    const std::shared_future<void> open = gate.get_future().share();
+    Job job([&](int request, const std::stop_token&, const Job::Publish& publish) {
+        if (request == 2) open.wait();
+        publish(request);
+    });
+    CHECK(!job.poll_within(1h));  // nothing is asked
+    job.submit(1);
+    CHECK(job.poll_within(1h)->result == 1);
+    job.submit(2);
+    CHECK(!job.poll_within(5ms));
+    gate.set_value();
+    CHECK(job.poll_within(1h)->result == 2);
+}
+
+TEST_CASE("LatestJob: a failure ends the wait too") {
+    Job job([](int, const std::stop_token&, const Job::Publish&) { throw std::runtime_error("no"); });
+    job.submit(1);
+    CHECK(job.poll_within(1h)->error);
+}
+
 TEST_CASE("LatestJob: work that has not published is not stopped by a newer request") {
     std::atomic<bool> draft_allowed = false;
     std::atomic<int> started = 0;
