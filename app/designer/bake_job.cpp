@@ -17,13 +17,17 @@ using Job = LatestJob<BakeRequest, std::shared_ptr<const Tables>>;
 // inherit it.
 constexpr int worker_niceness = 10;
 
+bool same_draft(const BakeRequest& a, const BakeRequest& b) {
+    return a.design == b.design && a.albedo == b.albedo;
+}
+
 // `drafted` is the request whose draft was published last: it needs no other.
 void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeRequest& request,
                 const std::stop_token& stop, const Job::Publish& publish, int threads) {
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness);
     check_design(request.design, "design");
     for (const Quality quality : {Quality::draft, Quality::final}) {
-        const bool same = drafted && drafted->design == request.design && drafted->albedo == request.albedo;
+        const bool same = drafted && same_draft(*drafted, request);
         if (quality == Quality::draft ? same : !request.settled) continue;
         const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
         publish(baker.bake(request.design, options, stop));
@@ -53,13 +57,14 @@ BakeJob::BakeJob(int threads)
 
 bool BakeJob::want(const BakeRequest& request) {
     if (wanted_ == request) return false;
+    const bool drafts = !wanted_ || !same_draft(*wanted_, request);
     wanted_ = request;
     asked_ = job_.submit(request);
-    return true;
+    return drafts;
 }
 
 std::shared_ptr<const Tables> BakeJob::poll(std::chrono::milliseconds patience) {
-    const auto published = patience.count() > 0 ? job_.poll_within(patience) : job_.poll();
+    const auto published = job_.poll(patience);
     if (!published) return nullptr;
     answered_ = published->revision;
     problem_ = published->error ? plain_words(published->error) : std::string();

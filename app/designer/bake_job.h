@@ -24,7 +24,7 @@ class BakeJob {
   public:
     explicit BakeJob(int threads);
 
-    // Starts a bake unless this is what was asked for last. True when it did.
+    // Starts a bake unless this is what was asked for last. True when a draft is to come of it.
     bool want(const BakeRequest& request);
 
     // The newest tables since the last call, or null; keeps `problem` up to date. An answer to the newest

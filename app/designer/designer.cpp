@@ -98,7 +98,7 @@ void notice_rest(Designer& designer, const Distribution& shown) {
     designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
 }
 
-// Asks for tables of what is shown now. True when they are others than were asked for before.
+// Asks for tables of what is shown now. True when a draft is to come.
 bool ask(Designer& designer) {
     Design shown = designer.document.design;
     shown.distribution = ui::shown(designer.layers, shown.distribution);
@@ -109,8 +109,8 @@ bool ask(Designer& designer) {
 
 // A draft that comes within a moment is seen in the very frame of the edit that it answers.
 void follow_bake(Designer& designer) {
-    const bool asked = ask(designer);
-    if (auto tables = designer.baker.poll(asked ? patience : std::chrono::milliseconds(0))) {
+    const bool draft = ask(designer);
+    if (auto tables = designer.baker.poll(draft ? patience : std::chrono::milliseconds(0))) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }

@@ -35,7 +35,7 @@ class AreaTable {
     const StretchedGrid& grid() const { return *grid_; }
     const std::shared_ptr<const FacetDistribution>& distribution() const { return distribution_; }
 
-    // The widths, then rows of A, as the shader reads them.
+    // Rows of A, as the shader reads them.
     const std::vector<float>& data() const { return data_; }
 
   private:

@@ -54,14 +54,9 @@ class LatestJob {
         return submitted_;
     }
 
-    // The newest result or error since the last call. Never blocks on the work.
-    std::optional<Published> poll() {
-        const std::lock_guard lock(mutex_);
-        return std::exchange(newest_, std::nullopt);
-    }
-
-    // The same, but an answer to the newest request may take up to `patience` to come.
-    std::optional<Published> poll_within(std::chrono::milliseconds patience) {
+    // The newest result or error since the last call. An answer to the newest request may take up to
+    // `patience` to come.
+    std::optional<Published> poll(std::chrono::milliseconds patience = {}) {
         std::unique_lock lock(mutex_);
         changed_.wait_for(lock, patience, [this] {
             return (!waiting_ && !running_) || (newest_ && newest_->revision == submitted_);

@@ -39,7 +39,33 @@ struct Run {
     int finals = 0;
 };
 
-// Moves the pointer to and fro over a slider of a tab for some seconds, sixty frames a second at the most.
+// Holds the button for some seconds, sixty frames a second at the most: calls move(seconds since the
+// beginning) before each frame and drawn(its beginning, run) after it, and counts the tables that it brought.
+template <class Move, class Drawn>
+Run hold_button(nacre::Stage& stage, double seconds, const Move& move, const Drawn& drawn) {
+    Run run;
+    std::string shown = stage.designer().tables_text;
+    const auto begin = Clock::now();
+    auto next = begin;
+    while (Clock::now() - begin < std::chrono::duration<double>(seconds)) {
+        const auto start = Clock::now();
+        move(std::chrono::duration<double>(start - begin).count());
+        stage.frame();
+        glFinish();
+        drawn(start, run);
+        if (const std::string& now = stage.designer().tables_text; now != shown) {
+            ++(now.starts_with("Final") ? run.finals : run.drafts);
+            shown = now;
+        }
+        next = std::max(next + frame_time, Clock::now());
+        std::this_thread::sleep_until(next);
+    }
+    ImGui::GetIO().MouseDown[0] = false;
+    stage.frame();
+    return run;
+}
+
+// Moves the pointer to and fro over a slider of a tab.
 Run drag(nacre::Stage& stage, const std::string& tab, const std::string& slider, double seconds) {
     stage.play(nacre::parse_events("click \"" + tab + "\"", tab));
     stage.wait_for_bake();
@@ -48,68 +74,42 @@ Run drag(nacre::Stage& stage, const std::string& tab, const std::string& slider,
     io.MousePos = ImVec2((box.x + box.z) / 2, (box.y + box.w) / 2);
     stage.frame();
     io.MouseDown[0] = true;
-    Run run;
-    std::string shown = stage.designer().tables_text;
-    const auto begin = Clock::now();
-    auto next = begin;
-    while (Clock::now() - begin < std::chrono::duration<double>(seconds)) {
-        const double t = std::chrono::duration<double>(Clock::now() - begin).count();
-        io.MousePos.x = box.x + (box.z - box.x) * static_cast<float>(0.5 + 0.4 * std::sin(3 * t));
-        const auto start = Clock::now();
-        stage.frame();
-        glFinish();
-        run.frames.push_back(Milliseconds(Clock::now() - start).count());
-        if (const std::string& now = stage.designer().tables_text; now != shown) {
-            ++(now.starts_with("Final") ? run.finals : run.drafts);
-            shown = now;
-        }
-        next = std::max(next + frame_time, Clock::now());
-        std::this_thread::sleep_until(next);
-    }
-    io.MouseDown[0] = false;
-    stage.frame();
-    return run;
+    return hold_button(
+        stage, seconds,
+        [&](double t) {
+            io.MousePos.x = box.x + (box.z - box.x) * static_cast<float>(0.5 + 0.4 * std::sin(3 * t));
+        },
+        [](Clock::time_point start, Run& run) {
+            run.frames.push_back(Milliseconds(Clock::now() - start).count());
+        });
 }
 
-// Paints for some seconds, sixty events a second at the most. `frames` are the times from an event to the end
-// of the first frame whose sphere shows it.
+// Paints. `frames` are the times from an event to the end of the first frame whose sphere shows it.
 Run paint(nacre::Stage& stage, double seconds) {
     stage.play(nacre::parse_events("click \"Paint\"", "paint"));
     stage.wait_for_bake();
     const ImVec4 box = stage.items().rectangle("Canvas").value();
     const float radius = 0.3f * std::min(box.z - box.x, box.w - box.y);
     ImGuiIO& io = ImGui::GetIO();
-    Run run;
+    const nacre::BakeJob& baker = stage.designer().baker;
     std::vector<std::pair<std::uint64_t, Clock::time_point>> waiting;  // request, its event
-    std::string shown = stage.designer().tables_text;
-    const auto begin = Clock::now();
-    auto next = begin;
-    while (Clock::now() - begin < std::chrono::duration<double>(seconds)) {
-        const auto event = Clock::now();
-        const auto t = static_cast<float>(std::chrono::duration<double>(event - begin).count());
-        io.MousePos = ImVec2((box.x + box.z) / 2 + radius * std::cos(1.3f * t) * std::cos(0.4f * t),
-                             (box.y + box.w) / 2 + radius * std::sin(1.3f * t));
-        io.MouseDown[0] = t > 0.05f;
-        const std::uint64_t before = stage.designer().baker.asked();
-        stage.frame();
-        glFinish();
-        if (const std::uint64_t now = stage.designer().baker.asked(); now != before)
-            waiting.emplace_back(now, event);
-        const auto answered = stage.designer().baker.answered();
-        while (!waiting.empty() && waiting.front().first <= answered) {
-            run.frames.push_back(Milliseconds(Clock::now() - waiting.front().second).count());
-            waiting.erase(waiting.begin());
-        }
-        if (const std::string& now = stage.designer().tables_text; now != shown) {
-            ++(now.starts_with("Final") ? run.finals : run.drafts);
-            shown = now;
-        }
-        next = std::max(next + frame_time, Clock::now());
-        std::this_thread::sleep_until(next);
-    }
-    io.MouseDown[0] = false;
-    stage.frame();
-    return run;
+    std::uint64_t before = 0;
+    return hold_button(
+        stage, seconds,
+        [&](double seconds_since) {
+            const auto t = static_cast<float>(seconds_since);
+            io.MousePos = ImVec2((box.x + box.z) / 2 + radius * std::cos(1.3f * t) * std::cos(0.4f * t),
+                                 (box.y + box.w) / 2 + radius * std::sin(1.3f * t));
+            io.MouseDown[0] = t > 0.05f;
+            before = baker.asked();
+        },
+        [&](Clock::time_point event, Run& run) {
+            if (baker.asked() != before) waiting.emplace_back(baker.asked(), event);
+            while (!waiting.empty() && waiting.front().first <= baker.answered()) {
+                run.frames.push_back(Milliseconds(Clock::now() - waiting.front().second).count());
+                waiting.erase(waiting.begin());
+            }
+        });
 }
 
 void print(const char* name, Run run) {

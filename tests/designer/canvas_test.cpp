@@ -4,23 +4,15 @@
 #include <cmath>
 #include <string>
 
-#include "app/headless/stage.h"
 #include "core/design/error.h"
+#include "tests/designer/rig.h"
 
 using namespace nacre;
 
 namespace {
 
-struct Rig {
-    Stage stage{{.size = {1280, 800}, .ui_scale = 1, .bake_threads = 1}};
-    Rig() {
-        stage.frame();
-        stage.frame();
-    }
-    void play(const std::string& text) { stage.play(parse_events(text, "test")); }
-    Document& document() { return stage.designer().document; }
-    Layer& layer(std::size_t index) { return document().design.distribution.layers.at(index); }
-    ui::CanvasState& canvas() { return stage.designer().canvas.state; }
+struct Rig : test::Rig {
+    Layer& layer(std::size_t index) { return layers().at(index); }
 };
 
 }  // namespace

@@ -10,26 +10,17 @@
 #include <string>
 
 #include "app/designer/preview_mouse.h"
-#include "app/headless/stage.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
+#include "tests/designer/rig.h"
 
 using namespace nacre;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Rig {
-    Stage stage{{.size = {1280, 800}, .ui_scale = 1, .bake_threads = 1}};
-    Rig() {
-        stage.frame();
-        stage.frame();
-    }
-    void play(const std::string& text) { stage.play(parse_events(text, "test")); }
-    Document& document() { return stage.designer().document; }
-    const GaussianLobe& gaussian() {
-        return std::get<GaussianLobe>(document().design.distribution.layers[0].lobe);
-    }
+struct Rig : test::Rig {
+    const GaussianLobe& gaussian() { return std::get<GaussianLobe>(layers()[0].lobe); }
 };
 
 struct TemporaryFolder {

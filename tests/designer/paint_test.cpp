@@ -3,32 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
-#include "app/headless/stage.h"
 #include "core/design/design_file.h"
 #include "core/paint/painted_layer.h"
 #include "core/paint/raster_texels.h"
+#include "tests/designer/rig.h"
 
 using namespace nacre;
 
 namespace {
 
-struct Rig {
-    Stage stage{{.size = {1280, 800}, .ui_scale = 1, .bake_threads = 1}};
-    Rig() {
-        stage.frame();
-        stage.frame();
-    }
-    void play(const std::string& text) { stage.play(parse_events(text, "test")); }
-    Document& document() { return stage.designer().document; }
-    std::vector<Layer>& layers() { return document().design.distribution.layers; }
-    ui::CanvasState& canvas() { return stage.designer().canvas.state; }
+struct Rig : test::Rig {
     const Raster& raster(std::size_t layer) {
         return *std::get<PaintedLobe>(layers().at(layer).lobe).image.raster;
     }
     double value(std::size_t layer, double theta, double phi) {
-        constexpr double radians = 3.14159265358979 / 180;
+        constexpr double radians = std::numbers::pi / 180;
         const double sine = std::sin(theta * radians);
         const dvec3 h(sine * std::cos(phi * radians), sine * std::sin(phi * radians),
                       std::cos(theta * radians));

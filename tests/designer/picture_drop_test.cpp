@@ -9,28 +9,20 @@
 #include <random>
 #include <string>
 
-#include "app/headless/stage.h"
 #include "core/exchange/image_file.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/painted_layer.h"
+#include "tests/designer/rig.h"
 
 using namespace nacre;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Rig {
-    Stage stage{{.size = {1280, 800}, .ui_scale = 1, .bake_threads = 2}};
+struct Rig : test::Rig {
     fs::path folder = fs::temp_directory_path() / ("nacre-drop-test-" + std::to_string(std::rand()));
-    Rig() {
-        fs::create_directories(folder);
-        stage.frame();
-        stage.frame();
-    }
+    Rig() : test::Rig(2) { fs::create_directories(folder); }
     ~Rig() { fs::remove_all(folder); }
-    void play(const std::string& text) { stage.play(parse_events(text, "test")); }
-    std::vector<Layer>& layers() { return stage.designer().document.design.distribution.layers; }
-    ui::CanvasState& canvas() { return stage.designer().canvas.state; }
     std::string quoted(const char* name) { return "\"" + (folder / name).string() + "\""; }
 };
 

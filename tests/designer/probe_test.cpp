@@ -7,21 +7,15 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "app/headless/stage.h"
 #include "core/paint/raster_texels.h"
+#include "tests/designer/rig.h"
 
 using namespace nacre;
 
 namespace {
 
-struct Rig {
-    Stage stage{{.size = {1280, 800}, .ui_scale = 1, .bake_threads = 2}};
-    Rig() {
-        stage.frame();
-        stage.frame();
-    }
-    void play(const std::string& text) { stage.play(parse_events(text, "test")); }
-    Designer& designer() { return stage.designer(); }
+struct Rig : test::Rig {
+    Rig() : test::Rig(2) {}
     glm::vec4 box(const char* widget) {
         const ImVec4 r = stage.items().rectangle(widget).value();
         return {r.x, r.y, r.z, r.w};
