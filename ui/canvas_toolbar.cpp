@@ -92,20 +92,9 @@ void view_buttons(CanvasState& state) {
 }
 
 // A slider without a label column: its number says what it is.
-bool bar(const char* name, const SliderSpec& spec, float breadth, double& value) {
-    const double before = value;
-    ImGui::PushID(name);
+bool bar(const SliderSpec& spec, float breadth, double& value) {
     ImGui::SetNextItemWidth(breadth);
-    slider_bar(spec, value, false);
-    ImGui::PopID();
-    note_item(name);
-    tooltip_for_item(spec.tooltip);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        ImGui::ClearActiveID();
-        value = spec.reset;
-    }
-    value = std::isnan(value) ? before : std::clamp(value, spec.least, spec.most);
-    return value != before;
+    return slider_field(spec, spec.label, value, false);
 }
 
 bool percent(const char* name, const char* format, const char* text, float breadth, double reset,
@@ -120,23 +109,27 @@ bool percent(const char* name, const char* format, const char* text, float bread
                           .format = format,
                           .logarithmic = false,
                           .tooltip = text};
-    if (!bar(name, spec, breadth, hundredths)) return false;
+    if (!bar(spec, breadth, hundredths)) return false;
     part = hundredths / 100;
     return true;
 }
 
-void whole_number(const char* name, const char* format, int low, int high, float breadth, int& number) {
+struct WholeRange {
+    int least, most, reset;
+};
+
+void whole_number(const char* name, const char* format, const WholeRange& range, float breadth, int& number) {
     double value = number;
     const SliderSpec spec{.label = name,
-                          .low = double(low),
-                          .high = double(high),
-                          .least = double(low),
-                          .most = double(high),
-                          .reset = double(number),
+                          .low = double(range.least),
+                          .high = double(range.most),
+                          .least = double(range.least),
+                          .most = double(range.most),
+                          .reset = double(range.reset),
                           .format = format,
                           .logarithmic = false,
                           .tooltip = nullptr};
-    if (bar(name, spec, breadth, value)) number = static_cast<int>(std::lround(value));
+    if (bar(spec, breadth, value)) number = static_cast<int>(std::lround(value));
 }
 
 void choice(const char* name, int& index, const std::vector<const char*>& names, float breadth,
@@ -163,7 +156,7 @@ void tool_number(CanvasState& state, float breadth) {
         choice("Stamp picture", index, names, breadth, "The picture to stamp with: white paints.");
         state.stamp = static_cast<std::size_t>(index);
     } else if (state.tool == CanvasTool::star) {
-        whole_number("Rays", "%.0f rays", 3, 24, breadth, state.rays);
+        whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, breadth, state.rays);
     } else {
         percent("Hardness", "hard %.0f %%", "How much of the brush covers in full, from its middle.", breadth,
                 Brush{}.hardness, state.brush.hardness);
@@ -174,8 +167,7 @@ void brush_row(CanvasState& state) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
     const bool turns = state.symmetry.kind == SymmetryKind::turns;
     const float breadth = size * (turns ? 5.5f : 6.2f), menu = size * 8;
-    bar("Brush radius",
-        {.label = "Brush radius",
+    bar({.label = "Brush radius",
          .low = brush_radius_least,
          .high = brush_radius_most,
          .least = brush_radius_least,
@@ -197,7 +189,8 @@ void brush_row(CanvasState& state) {
     state.symmetry.kind = static_cast<SymmetryKind>(kind);
     if (!turns) return;
     flow(size * 3.2f, gap);
-    whole_number("Turns", "\u00d7 %.0f", turns_least, turns_most, size * 3.2f, state.symmetry.turns);
+    whole_number("Turns", "\u00d7 %.0f", {turns_least, turns_most, BrushSymmetry{}.turns}, size * 3.2f,
+                 state.symmetry.turns);
 }
 
 // What stands in place of the brush's numbers while there is no brush.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/item_map.h"
+#include "ui/slider_bar.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -20,19 +21,31 @@ double decoded(double value) {
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-// A channel that was not touched keeps all its digits.
-void linear_fields(const char* label, glm::dvec3& linear, const char* tooltip_text) {
-    float values[3], shown[3];
-    for (int i = 0; i < 3; ++i) values[i] = shown[i] = static_cast<float>(linear[i]);
-    const float swatch_width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - swatch_width);
-    ImGui::DragFloat3("##linear", values, 0.002f, 0, 1, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+void linear_fields(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char* tooltip_text) {
+    static constexpr const char* channels[] = {" red", " green", " blue"};
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width =
+        std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 3 * gap) / 3);
+    ImGui::BeginGroup();
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) ImGui::SameLine(0, gap);
+        ImGui::SetNextItemWidth(width);
+        slider_field({.label = label,
+                      .low = 0,
+                      .high = 1,
+                      .least = 0,
+                      .most = 1,
+                      .reset = reset[i],
+                      .format = "%.3f",
+                      .logarithmic = false,
+                      .tooltip = tooltip_text},
+                     std::string(item_name(label)) + channels[i], linear[i], false);
+    }
+    ImGui::EndGroup();
     note_item(label);
-    tooltip_for_item(tooltip_text);
-    for (int i = 0; i < 3; ++i)
-        if (values[i] != shown[i]) linear[i] = std::clamp(static_cast<double>(values[i]), 0.0, 1.0);
 }
 
+// A channel that was not touched keeps all its digits.
 void swatch(glm::dvec3& linear) {
     float values[3], shown[3];
     for (int i = 0; i < 3; ++i) values[i] = shown[i] = static_cast<float>(encoded(linear[i]));
@@ -49,7 +62,7 @@ bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char*
     const glm::dvec3 before = linear;
     if (row_label(label, tooltip_text)) linear = reset;
     ImGui::PushID(label);
-    linear_fields(label, linear, tooltip_text);
+    linear_fields(label, linear, reset, tooltip_text);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     swatch(linear);
     ImGui::PopID();

@@ -51,6 +51,8 @@ struct HeldBrush {
     Surface surface;
 };
 
+inline constexpr int usual_rays = 5;
+
 // What the canvas remembers between frames; no part of the document.
 struct CanvasState {
     HemisphereCamera camera;
@@ -58,7 +60,7 @@ struct CanvasState {
     CanvasTool tool = CanvasTool::handles;
     Brush brush;
     BrushSymmetry symmetry;
-    int rays = 5;  // of a star
+    int rays = usual_rays;  // of a star
     std::vector<NamedStamp> stamps = built_in_stamps();
     std::size_t stamp = 0;
     std::optional<GrabbedHandle> grabbed;

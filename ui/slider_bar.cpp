@@ -1,4 +1,3 @@
-// A slider drawn as a bar that is filled from its origin, so that the number stays readable.
 #include "ui/slider_bar.h"
 
 #include <imgui.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/item_map.h"
 #include "ui/theme.h"
 
 namespace nacre::ui {
@@ -21,9 +21,7 @@ float fraction(const SliderSpec& spec, double value) {
     return static_cast<float>(share);
 }
 
-}  // namespace
-
-void slider_bar(const SliderSpec& spec, double& value, bool marked) {
+void bar(const SliderSpec& spec, double& value, bool marked) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::CalcItemWidth();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -48,7 +46,8 @@ void slider_bar(const SliderSpec& spec, double& value, bool marked) {
     for (const ImGuiCol colour : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
                                   ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
         ImGui::PushStyleColor(colour, ImVec4(0, 0, 0, 0));
-    // Dear ImGui centres the number, where the bar's end so often lies; ours stands at the right.
+    // Dear ImGui centres the number, where the bar's end so often lies; ours stands at the right
+    // where there is room for that.
     const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value"));
     if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
     const ImGuiSliderFlags flags = spec.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
@@ -57,9 +56,45 @@ void slider_bar(const SliderSpec& spec, double& value, bool marked) {
     if (typing) return;
     char text[64];
     std::snprintf(text, sizeof(text), spec.format, value);
-    list.AddText(
-        {high.x - style.FramePadding.x - margin - ImGui::CalcTextSize(text).x, low.y + style.FramePadding.y},
-        ImGui::GetColorU32(ImGuiCol_Text), text);
+    const float breadth = ImGui::CalcTextSize(text).x, centred = low.x + (width - breadth) / 2;
+    const float at_right = high.x - style.FramePadding.x - margin - breadth;
+    list.PushClipRect(low, high, true);
+    list.AddText({std::max(at_right, std::min(centred, low.x + margin)), low.y + style.FramePadding.y},
+                 ImGui::GetColorU32(ImGuiCol_Text), text);
+    list.PopClipRect();
+}
+
+std::string reset_text(const SliderSpec& spec) {
+    char text[64];
+    std::snprintf(text, sizeof(text), spec.format, spec.reset);
+    return "Reset to " + std::string(text);
+}
+
+// Of the last item.
+bool reset_requested(const SliderSpec& spec, const std::string& name) {
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        ImGui::ClearActiveID();  // else the held button goes on setting the value
+        return true;
+    }
+    if (!ImGui::BeginPopupContextItem("reset")) return false;
+    const bool reset = ImGui::Selectable(reset_text(spec).c_str());
+    note_item(name + " reset");
+    ImGui::EndPopup();
+    return reset;
+}
+
+}  // namespace
+
+bool slider_field(const SliderSpec& spec, const std::string& name, double& value, bool marked) {
+    const double before = value;
+    ImGui::PushID(name.c_str());
+    bar(spec, value, marked);
+    note_item(name);
+    tooltip_for_item(spec.tooltip);
+    if (reset_requested(spec, name)) value = spec.reset;
+    ImGui::PopID();
+    value = std::isnan(value) ? before : std::clamp(value, spec.least, spec.most);
+    return value != before;
 }
 
 }  // namespace nacre::ui

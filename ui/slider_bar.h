@@ -1,11 +1,15 @@
 #pragma once
 
+#include <string>
+
 #include "ui/widgets.h"
 
 namespace nacre::ui {
 
-// The bare field of a slider, over the width set for the next item. Typing may leave the ends. Without
-// `marked` no line stands at the bar's end, where it would cross a text that fills the field.
-void slider_bar(const SliderSpec& spec, double& value, bool marked = true);
+// The bare field of a slider, over the width set for the next item and without its label: a bar that is
+// filled from its origin. Dragging stays between the ends of the slider; Ctrl+click types any number from
+// `least` to `most`; a double click or the context menu brings `reset`. Without `marked` no line stands at
+// the bar's end, where it would cross a text that fills the field. Returns whether the value changed.
+bool slider_field(const SliderSpec& spec, const std::string& name, double& value, bool marked = true);
 
 }  // namespace nacre::ui

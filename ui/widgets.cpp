@@ -20,39 +20,6 @@ constexpr float tooltip_delay = 0.45f;  // seconds of rest before a field explai
 
 std::string hidden(const char* label) { return "##" + std::string(item_name(label)); }
 
-// Double click or context menu: back to the default.
-bool reset_requested(const char* menu_text) {
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        ImGui::ClearActiveID();  // else the held button goes on setting the value
-        return true;
-    }
-    bool reset = false;
-    if (ImGui::BeginPopupContextItem("reset")) {
-        reset = ImGui::Selectable(menu_text);
-        ImGui::EndPopup();
-    }
-    return reset;
-}
-
-std::string reset_text(double reset, const char* format) {
-    char text[64];
-    ImFormatString(text, sizeof(text), format, reset);
-    return "Reset to " + std::string(text);
-}
-
-// A number field inside a row; `value` stays within what may be typed.
-bool number(const SliderSpec& spec, const std::string& name, double& value) {
-    const double before = value;
-    ImGui::PushID(name.c_str());
-    slider_bar(spec, value);
-    note_item(name);
-    tooltip_for_item(spec.tooltip);
-    if (reset_requested(reset_text(spec.reset, spec.format).c_str())) value = spec.reset;
-    ImGui::PopID();
-    value = std::isnan(value) ? before : std::clamp(value, spec.least, spec.most);
-    return value != before;
-}
-
 }  // namespace
 
 void tooltip(const char* text) {
@@ -89,7 +56,7 @@ bool row_label(const char* label, const char* tooltip_text) {
 bool slider(const SliderSpec& spec, double& value) {
     const double before = value;
     if (row_label(spec.label, spec.tooltip)) value = spec.reset;
-    number(spec, std::string(item_name(spec.label)), value);
+    slider_field(spec, std::string(item_name(spec.label)), value);
     return value != before;
 }
 
@@ -102,17 +69,17 @@ bool slider(const SliderSpec& spec, glm::dvec3& rgb) {
     for (int i = 0; i < 3; ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(width);
-        number(spec, std::string(item_name(spec.label)) + " " + channels[i], rgb[i]);
+        slider_field(spec, std::string(item_name(spec.label)) + " " + channels[i], rgb[i]);
     }
     return rgb != before;
 }
 
 bool slider_or_infinity(const SliderSpec& spec, double& value) {
-    row_label(spec.label, spec.tooltip);
+    const double before = value;
+    if (row_label(spec.label, spec.tooltip)) value = spec.reset;
     const float box =
         ImGui::GetFrameHeight() + ImGui::CalcTextSize("\u221e").x + 2 * ImGui::GetStyle().ItemInnerSpacing.x;
     bool infinite = std::isinf(value);
-    bool changed = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - box);
     if (infinite) {
         char text[] = "infinite";
@@ -121,18 +88,15 @@ bool slider_or_infinity(const SliderSpec& spec, double& value) {
         ImGui::EndDisabled();
         note_item(spec.label);
     } else {
-        changed = number(spec, std::string(item_name(spec.label)), value);
+        slider_field(spec, std::string(item_name(spec.label)), value);
     }
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::PushID(spec.label);
-    if (ImGui::Checkbox("\u221e", &infinite)) {
-        value = infinite ? HUGE_VAL : spec.reset;
-        changed = true;
-    }
+    if (ImGui::Checkbox("\u221e", &infinite)) value = infinite ? HUGE_VAL : spec.reset;
     ImGui::PopID();
     note_item(std::string(item_name(spec.label)) + " infinite");
     tooltip_for_item("Infinite: the lobe becomes a cylinder along this axis, as threads or grooves make it.");
-    return changed;
+    return value != before;
 }
 
 bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip_text) {
