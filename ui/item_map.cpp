@@ -26,9 +26,10 @@ std::string_view item_name(std::string_view label) {
     return mark == std::string_view::npos ? label : label.substr(mark + 2);
 }
 
-void note_item(std::string_view label) {
-    if (auto* map = static_cast<ItemMap*>(ImGui::GetIO().UserData))
-        map->note(item_name(label), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+void note_item(std::string_view label) { note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+
+void note_part(std::string_view label, ImVec2 low, ImVec2 high) {
+    if (auto* map = static_cast<ItemMap*>(ImGui::GetIO().UserData)) map->note(item_name(label), low, high);
 }
 
 }  // namespace nacre::ui

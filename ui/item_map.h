@@ -35,4 +35,7 @@ std::string_view item_name(std::string_view label);
 // Reports the last drawn widget under its label, if somebody listens.
 void note_item(std::string_view label);
 
+// The same for a part of a widget that has a name of its own.
+void note_part(std::string_view label, ImVec2 low, ImVec2 high);
+
 }  // namespace nacre::ui

@@ -42,6 +42,8 @@ SliderSpec angle_spec(const char* label, double low, double high, double most, c
 
 // One function per lobe; std::visit calls the one that fits.
 struct LobeFields {
+    CurveView& curve;
+
     bool operator()(GaussianLobe& lobe) const {
         const bool x = slider_or_infinity(width_spec("Width x", width_along_x), lobe.sigma_x);
         return slider_or_infinity(width_spec("Width y", width_along_y), lobe.sigma_y) || x;
@@ -66,7 +68,7 @@ struct LobeFields {
         if (changed) lobe.domain = index == 1 ? UniformDomain::sphere : UniformDomain::hemisphere;
         return changed;
     }
-    bool operator()(CurveLobe& lobe) const { return curve_editor(lobe); }
+    bool operator()(CurveLobe& lobe) const { return curve_editor(curve, lobe); }
     bool operator()(PaintedLobe& lobe) const {
         text_row("Picture", picture_text(lobe.image));
         return false;
@@ -78,6 +80,16 @@ struct LobeFields {
         return slider(width_spec("Roughness y", width_along_y), y) || changed;
     }
 };
+
+bool lobe_editor(Lobe& lobe, CurveView& curve) {
+    int kind = static_cast<int>(lobe.index());
+    bool changed = false;
+    if (combo("Lobe", kind, lobe_names(), lobe_explanation(lobe.index()))) {
+        lobe = converted_lobe(lobe, static_cast<std::size_t>(kind));
+        changed = true;
+    }
+    return std::visit(LobeFields{curve}, lobe) || changed;
+}
 
 bool orientation(Layer& layer) {
     bool changed = slider(angle_spec("Rotation", -180, 180, limits::angle_max,
@@ -125,17 +137,7 @@ std::string picture_text(const Picture& picture) {
            std::to_string(picture.raster->height);
 }
 
-bool lobe_editor(Lobe& lobe) {
-    int kind = static_cast<int>(lobe.index());
-    bool changed = false;
-    if (combo("Lobe", kind, lobe_names(), lobe_explanation(lobe.index()))) {
-        lobe = converted_lobe(lobe, static_cast<std::size_t>(kind));
-        changed = true;
-    }
-    return std::visit(LobeFields{}, lobe) || changed;
-}
-
-bool layer_editor(Layer& layer) {
+bool layer_editor(Layer& layer, CurveView& curve) {
     bool changed = text_field("Name##Layer name", layer.name, lobe_names()[layer.lobe.index()],
                               "A name of your own for the list.");
     changed |=
@@ -150,7 +152,7 @@ bool layer_editor(Layer& layer) {
                 .tooltip = "This layer's share of the facets' area, relative to the other layers' weights. "
                            "Ctrl+click to type any number."},
                layer.weight);
-    changed |= lobe_editor(layer.lobe);
+    changed |= lobe_editor(layer.lobe, curve);
     ImGui::Spacing();
     changed |= orientation(layer);
     changed |= modulation(layer);

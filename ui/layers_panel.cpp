@@ -177,7 +177,7 @@ bool layers_panel(LayersView& view, Distribution& distribution) {
     ImGui::Spacing();
     if (!layers.empty()) {
         ImGui::PushID(static_cast<int>(view.chosen));
-        changed |= layer_editor(layers[view.chosen]);
+        changed |= layer_editor(layers[view.chosen], view.curve);
         ImGui::PopID();
     }
     return changed;

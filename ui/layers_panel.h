@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/design/design.h"
+#include "ui/curve_editor.h"
 #include "ui/layer_thumbnail.h"
 
 namespace nacre::ui {
@@ -16,6 +17,7 @@ struct LayersView {
     std::optional<std::size_t> solo;  // a layer that is shown alone; ends where layers come, go or move
     std::size_t count = 0;            // of layers in the frame before
     LayerThumbnails thumbnails;
+    CurveView curve;
 };
 
 // The layers as they are shown: all of them, or with one alone.
@@ -25,8 +27,7 @@ Distribution shown(const LayersView& view, const Distribution& distribution);
 bool layers_panel(LayersView& view, Distribution& distribution);
 
 // The parameters of one layer.
-bool layer_editor(Layer& layer);
-bool lobe_editor(Lobe& lobe);
+bool layer_editor(Layer& layer, CurveView& curve);
 
 // "in the design, 256 x 256", or the file's name in place of the first part.
 std::string picture_text(const Picture& picture);

@@ -18,7 +18,7 @@ constexpr std::array<const char*, std::variant_size_v<Lobe>> explanations = {
     "A sharp core with a long haze around it; today's common choice for metals.",
     "Like the Gaussian, with the theory of rough random surfaces behind it.",
     "Facets look everywhere equally: matt, like pressed powder.",
-    "p as a curve over the angle from the normal: rings, halos, a flat top.",
+    "p as a curve over the angle from the normal: a core with its haze, halos, a flat top.",
     "p as a picture of the hemisphere seen from above."};
 
 constexpr int painted_size = 256;  // pixels a side of a new painted layer

@@ -136,28 +136,6 @@ TEST_CASE("lobes: another kind keeps the widths it can have") {
     }
 }
 
-TEST_CASE("curve: points are dragged, added and removed in order") {
-    LayersRig r;
-    r.distribution.layers[0].lobe = CurveLobe{{{0, 1}, {20, 0.5}, {45, 0}}};
-    auto& points = std::get<CurveLobe>(r.distribution.layers[0].lobe).points;
-    const auto rising = [&] {
-        for (std::size_t i = 1; i < points.size(); ++i)
-            if (!(points[i - 1].first < points[i].first)) return false;
-        return true;
-    };
-    // The middle point stands at 20 of 90 degrees and half of the plot's 1.05.
-    r.rig.drag("Curve", {0.24f, 0.515f}, {0.9f, 0.3f});
-    CHECK(points[1].first == doctest::Approx(44.99));
-    CHECK(points[1].second > 0.6);
-    CHECK(rising());
-    r.rig.double_click("Curve", 0.8f, 0.5f);
-    REQUIRE(points.size() == 4);
-    CHECK(points[3].first > 60);
-    CHECK(rising());
-    r.rig.click("Curve", 0.8f, 0.5f, 1);
-    CHECK(points.size() == 3);
-}
-
 TEST_CASE("note: a click edits it, and leaving ends that") {
     std::string note = "Made by hand.";
     PanelRig rig([&] {

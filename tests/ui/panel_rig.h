@@ -20,6 +20,7 @@ class PanelRig {
         io.DeltaTime = 1.0f / 60;
         io.KeyMap[ImGuiKey_Enter] = enter;
         io.KeyMap[ImGuiKey_Escape] = escape;
+        io.KeyMap[ImGuiKey_Delete] = remove;
         io.KeyMap[ImGuiKey_A] = 'A';
         nacre::ui::apply_theme(1);
         unsigned char* pixels = nullptr;
@@ -39,6 +40,7 @@ class PanelRig {
 
     static constexpr int enter = 257;
     static constexpr int escape = 256;
+    static constexpr int remove = 261;
 
     void frame(int count = 1) {
         for (int i = 0; i < count; ++i) {
