@@ -16,6 +16,12 @@ struct LayersView {
     std::size_t chosen = 0;
     std::optional<std::size_t> solo;  // a layer that is shown alone; ends where layers come, go or move
     std::size_t count = 0;            // of layers in the frame before
+    struct Rename {
+        std::size_t layer = 0;
+        bool begun = false;  // the field has the keyboard
+    };
+    std::optional<Rename> rename;  // in the list
+    bool carried = false;          // the chosen layer, by the pointer to another place of the list
     LayerThumbnails thumbnails;
     CurveView curve;
 };

@@ -187,3 +187,20 @@ TEST_CASE("stage: the picture has the window's size and is not empty") {
     CHECK(std::any_of(pixels.begin(), pixels.end(),
                       [](std::uint8_t byte) { return byte > 200 && byte < 255; }));
 }
+
+TEST_CASE("designer: a carried layer is one step of undo, its new name another") {
+    Rig r;
+    r.play("click \"Add layer\"\nclick \"Add GGX\"\nclick \"Add layer\"\nclick \"Add Uniform\"");
+    const auto before = r.document().design;
+    r.play("frames 30\ndrag \"Layer 1\" \"Layer 3\":0.5,0.9");
+    const auto moved = r.document().design;
+    CHECK(std::holds_alternative<GaussianLobe>(r.layers()[2].lobe));
+    r.play("frames 30\nclick \"Layer 3\"\nclick \"Layer 3\"\nframes 3\ntext \"Core\"\nkey Enter\nframes 2");
+    CHECK(r.layers()[2].name == "Core");
+    r.play("key Ctrl+Z");
+    CHECK(r.document().design == moved);
+    r.play("key Ctrl+Z");
+    CHECK(r.document().design == before);
+    r.play("key Ctrl+Y\nkey Ctrl+Y");
+    CHECK(r.layers()[2].name == "Core");
+}

@@ -1,6 +1,7 @@
 #include "ui/layers_panel.h"
 
 #include <cmath>
+#include <string>
 
 #include "tests/ui/panel_rig.h"
 #include "ui/lobe_kinds.h"
@@ -105,12 +106,93 @@ TEST_CASE("layers: solo shows one layer alone and leaves the design as it is") {
     CHECK(!r.view.solo);
 }
 
-TEST_CASE("layers: a line dragged over another changes the order") {
+TEST_CASE("layers: a dragged line goes where the insertion line stands, when it is let go") {
     LayersRig r;
-    r.rig.click("Add layer");
-    r.rig.click("Add Beckmann");
-    r.rig.drag("Layer 1", {0.5f, 0.5f}, {0.5f, 2.2f});
-    CHECK(std::holds_alternative<BeckmannLobe>(r.distribution.layers[0].lobe));
+    for (const char* name : {"b", "c", "d"}) {
+        r.rig.click("Duplicate layer");
+        r.distribution.layers.back().name = name;
+    }
+    r.distribution.layers[0].name = "a";
+    const auto order = [&] {
+        std::string names;
+        for (const Layer& layer : r.distribution.layers) names += layer.name;
+        return names;
+    };
+    REQUIRE(order() == "abcd");
+    r.rig.move("Layer 1");
+    r.rig.button(true);
+    r.rig.move("Layer 3", 0.5f, 0.9f);
+    CHECK(r.view.carried);
+    CHECK(order() == "abcd");
+    r.rig.button(false);
+    CHECK(order() == "bcad");
+    CHECK(r.view.chosen == 2);
+    r.rig.drag("Layer 4", {0.5f, 0.5f}, {0.5f, -20});
+    CHECK(order() == "dbca");
+    r.rig.drag("Layer 2", {0.5f, 0.5f}, {0.5f, 20});
+    CHECK(order() == "dcab");
+    // Upon itself, and let go by Escape.
+    r.rig.drag("Layer 2", {0.5f, 0.5f}, {0.5f, 0.9f});
+    CHECK(order() == "dcab");
+    r.rig.frame(30);
+    r.rig.move("Layer 1");
+    r.rig.button(true);
+    r.rig.move("Layer 4");
+    r.rig.key(PanelRig::escape);
+    r.rig.move("Layer 3");
+    r.rig.button(false);
+    CHECK(order() == "dcab");
+    CHECK(!r.view.carried);
+}
+
+TEST_CASE("layers: a double click on the name renames; Escape does not") {
+    LayersRig r;
+    r.rig.click("Duplicate layer");
+    r.rig.double_click("Layer 2");
+    r.rig.frame(3);
+    REQUIRE(r.rig.has("Layer 2 name"));
+    r.rig.type("Haze");
+    r.rig.key(PanelRig::enter);
+    CHECK(r.distribution.layers[1].name == "Haze");
+    CHECK(r.distribution.layers[0].name.empty());
+    CHECK(!r.view.rename);
+    r.rig.double_click("Layer 2");
+    r.rig.frame(3);
+    r.rig.type("Core");
+    r.rig.key(PanelRig::escape);
+    r.rig.frame(2);
+    CHECK(r.distribution.layers[1].name == "Haze");
+    CHECK(!r.view.rename);
+    r.rig.double_click("Layer 1");
+    r.rig.frame(3);
+    r.rig.type("Core");
+    r.rig.click("Tilt", 0.0f);
+    CHECK(r.distribution.layers[0].name == "Core");
+    CHECK(!r.view.rename);
+}
+
+TEST_CASE("layers: the right button's menu acts on the layer under the pointer") {
+    LayersRig r;
+    r.rig.click("Duplicate layer");
+    r.distribution.layers[0].name = "first";
+    r.rig.click("Layer 1", 0.5f, 0.5f, 1);
+    CHECK(r.view.chosen == 0);
+    r.rig.click("Menu Move down");
+    CHECK(r.distribution.layers[1].name == "first");
+    r.rig.click("Layer 2", 0.5f, 0.5f, 1);
+    r.rig.click("Menu Duplicate");
+    REQUIRE(r.distribution.layers.size() == 3);
+    CHECK(r.distribution.layers[2].name == "first");
+    r.rig.click("Layer 1", 0.5f, 0.5f, 1);
+    r.rig.click("Menu Delete");
+    REQUIRE(r.distribution.layers.size() == 2);
+    CHECK(r.distribution.layers[0].name == "first");
+    r.rig.click("Layer 1", 0.5f, 0.5f, 1);
+    r.rig.click("Menu Rename");
+    r.rig.frame(3);
+    r.rig.type("renamed");
+    r.rig.key(PanelRig::enter);
+    CHECK(r.distribution.layers[0].name == "renamed");
 }
 
 TEST_CASE("layers: no more than a file may hold") {
