@@ -37,8 +37,10 @@ enum class DialogAnswer { none, accepted, cancelled };
 // While accepted, `chosen` holds an absolute path. A typed folder is entered instead of accepted.
 DialogAnswer file_dialog(FileDialog& dialog, const ListDirectory& list, std::filesystem::path& chosen);
 
-// A modal question; returns the index of the pressed button. Escape presses the last one, Enter the first.
+// A modal question; returns the index of the pressed button. Escape presses the last one, Enter the first,
+// but while a number is typed into one of the `fields`, which stand between the text and the buttons.
 std::optional<int> question(const char* title, const std::string& text,
-                            const std::vector<std::string>& buttons);
+                            const std::vector<std::string>& buttons,
+                            const std::function<void()>& fields = {});
 
 }  // namespace nacre::ui

@@ -9,7 +9,7 @@
 namespace nacre::ui {
 
 std::optional<int> question(const char* title, const std::string& text,
-                            const std::vector<std::string>& buttons) {
+                            const std::vector<std::string>& buttons, const std::function<void()>& fields) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 centre = ImGui::GetMainViewport()->GetCenter();
     ImGui::SetNextWindowPos(centre, ImGuiCond_Always, ImVec2(0.5f, 0.5f));
@@ -24,7 +24,12 @@ std::optional<int> question(const char* title, const std::string& text,
     ImGui::PopStyleVar();
     if (!open) return std::nullopt;
     std::optional<int> answer;
+    const bool typing = ImGui::GetIO().WantTextInput;
     ImGui::TextWrapped("%s", text.c_str());
+    if (fields) {
+        ImGui::Dummy(ImVec2(0, ImGui::GetFontSize() * 0.6f));
+        fields();
+    }
     ImGui::Dummy(ImVec2(0, ImGui::GetFontSize() * 0.6f));
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - total);
     for (std::size_t i = 0; i < buttons.size(); ++i) {
@@ -34,8 +39,9 @@ std::optional<int> question(const char* title, const std::string& text,
         if (i == 0) ImGui::PopStyleColor();
     }
     const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = 0;
-    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false)) answer = static_cast<int>(buttons.size()) - 1;
+    if (!typing && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = 0;
+    if (!typing && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false))
+        answer = static_cast<int>(buttons.size()) - 1;
     if (answer) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return answer;

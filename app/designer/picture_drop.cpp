@@ -9,13 +9,10 @@
 #include "core/paint/painted_layer.h"
 #include "ui/canvas_paint.h"
 #include "ui/dialogs.h"
+#include "ui/widgets.h"
 
 namespace nacre {
 namespace {
-
-constexpr double height_depth = 0.02;  // of the picture's breadth, from black to white
-
-constexpr double smoothing = 1.5;  // degrees, of normals
 
 enum Answer { stamp, normals, heights, modulate, cancel };
 
@@ -32,11 +29,39 @@ void add_layer_of(const std::vector<dvec3>& normals_found, double width, const s
 }
 
 std::shared_ptr<const Raster> stamp_of(const std::filesystem::path& file) {
-    auto raster = std::make_shared<Raster>(load_picture(file, file.string(), "stamp"));
+    auto raster = std::make_shared<Raster>(load_picture(file, file.string(), "stamp", PictureShape::any));
     const float largest = *std::max_element(raster->values.begin(), raster->values.end());
     if (largest > 1)
         for (float& value : raster->values) value /= largest;
     return raster;
+}
+
+void reading_fields(ReliefReading& reading) {
+    const ReliefReading usual;
+    ui::slider(
+        {.label = "Smoothing",
+         .low = 0,
+         .high = 10,
+         .least = 0,
+         .most = 30,
+         .reset = usual.smoothing,
+         .format = "%.2f\u00b0",
+         .logarithmic = false,
+         .tooltip = "For normals and heights: how far each normal is spread, as the standard deviation of "
+                    "its angle. 0 leaves them as they are."},
+        reading.smoothing);
+    ui::slider(
+        {.label = "Height",
+         .low = 0,
+         .high = 20,
+         .least = -1000,
+         .most = 1000,
+         .reset = usual.height,
+         .format = "%.2f %% of the breadth",
+         .logarithmic = false,
+         .tooltip = "For heights: from black to white. Higher is rougher; a negative number makes black "
+                    "the highest."},
+        reading.height);
 }
 
 }  // namespace
@@ -50,12 +75,13 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
             canvas.stamp = canvas.stamps.size() - 1;
             canvas.tool = ui::CanvasTool::stamp;
         } else if (answer == normals) {
-            add_layer_of(normals_of_map(load_colours(file)), smoothing, name, distribution, chosen);
+            add_layer_of(normals_of_map(load_colours(file)), reading_.smoothing, name, distribution, chosen);
         } else if (answer == heights) {
-            add_layer_of(normals_of_heights(load_colours(file), height_depth), smoothing, name, distribution,
-                         chosen);
+            add_layer_of(normals_of_heights(load_colours(file), reading_.height / 100), reading_.smoothing,
+                         name, distribution, chosen);
         } else if (answer == modulate && chosen < distribution.layers.size()) {
-            auto raster = std::make_shared<const Raster>(load_picture(file, file.string(), "modulation"));
+            auto raster = std::make_shared<const Raster>(
+                load_picture(file, file.string(), "modulation", PictureShape::any));
             distribution.layers[chosen].modulation = Modulation{{{}, std::move(raster)}, 1};
         }
     } catch (const UserError& error) {
@@ -71,10 +97,13 @@ void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::Canv
     if (!file_) return;
     const std::string text = "What is \u201c" + file_->filename().string() +
                              "\u201d? A stamp paints through it. A map of normals or of heights becomes a "
-                             "layer with the facets of that "
-                             "surface. Modulation multiplies the chosen layer by it.";
+                             "layer with the facets of "
+                             "that surface. Modulation multiplies the chosen layer by it. A stamp or a "
+                             "modulation that is not square "
+                             "keeps its shape: black is added beside it.";
     const auto answer =
-        ui::question("A picture", text, {"Stamp", "Normals", "Heights", "Modulation", "Cancel"});
+        ui::question("A picture", text, {"Stamp", "Normals", "Heights", "Modulation", "Cancel"},
+                     [this] { reading_fields(reading_); });
     if (answer) use(*answer, distribution, chosen, canvas);
 }
 

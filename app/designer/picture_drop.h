@@ -10,6 +10,12 @@
 
 namespace nacre {
 
+// How a map of normals or heights becomes facets.
+struct ReliefReading {
+    double smoothing = 1.5;  // degrees, standard deviation of the normals
+    double height = 2;  // from black to white, in percent of the picture's breadth; negative: black is high
+};
+
 class PictureDrop {
   public:
     // A file was dropped on the window; the newest counts.
@@ -26,6 +32,7 @@ class PictureDrop {
 
     std::optional<std::filesystem::path> file_;
     std::string problem_;
+    ReliefReading reading_;  // as it was last set
 };
 
 }  // namespace nacre

@@ -18,6 +18,7 @@
 #include "core/design/error.h"
 #include "core/exchange/area_average.h"
 #include "core/exchange/input_file.h"
+#include "core/exchange/letterbox.h"
 #include "core/exchange/png_chunks.h"
 
 namespace nacre {
@@ -63,10 +64,10 @@ std::string reason_of(OIIO::ImageInput& input) {
     return reason.empty() ? "the picture is damaged" : reason;
 }
 
-void check_header(const OIIO::ImageSpec& spec, bool square) {
+void check_header(const OIIO::ImageSpec& spec, PictureShape shape) {
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep)
         throw PictureProblem("no flat picture");
-    if (square && spec.width != spec.height)
+    if (shape == PictureShape::square && spec.width != spec.height)
         throw PictureProblem(
             fmt::format("{} x {} pixels, a picture must be square", spec.width, spec.height));
     if (std::max(spec.width, spec.height) > limits::picture_max)
@@ -123,19 +124,19 @@ struct GreyReader {
 Raster read_pixels(OIIO::ImageInput& input) {
     const OIIO::ImageSpec& spec = input.spec();
     const GreyReader grey(spec);
-    const auto side = static_cast<std::size_t>(spec.width);
+    const auto width = static_cast<std::size_t>(spec.width), height = static_cast<std::size_t>(spec.height);
     const auto channels = static_cast<std::size_t>(grey.channels_needed());
-    std::vector<float> pixels(side * side * channels);
+    std::vector<float> pixels(width * height * channels);
     const bool read = input.read_image(0, 0, 0, grey.channels_needed(), OIIO::TypeDesc::FLOAT, pixels.data());
     if (!read || input.has_error()) throw PictureProblem(reason_of(input));
     for (std::size_t i = 0; i < pixels.size(); ++i)
         if (!std::isfinite(pixels[i]) || pixels[i] < 0)
             throw PictureProblem(
                 fmt::format("pixel ({}, {}) from the top left is {}, must be finite and >= 0",
-                            i / channels % side, i / channels / side, pixels[i]));
-    Raster raster{spec.width, spec.height, std::vector<float>(side * side)};
+                            i / channels % width, i / channels / width, pixels[i]));
+    Raster raster{spec.width, spec.height, std::vector<float>(width * height)};
     constexpr double most = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < side * side; ++i)
+    for (std::size_t i = 0; i < width * height; ++i)
         raster.values[i] = static_cast<float>(std::min(grey(&pixels[i * channels]), most));
     return raster;
 }
@@ -147,13 +148,14 @@ Raster upright(const Raster& raster, int orientation) {
     const bool flips_x = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
     const bool flips_y = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
     Raster turned = raster;
-    const int last = raster.width - 1;
-    for (int y = 0; y <= last; ++y)
-        for (int x = 0; x <= last; ++x) {
+    if (transposes) std::swap(turned.width, turned.height);
+    for (int y = 0; y < turned.height; ++y)
+        for (int x = 0; x < turned.width; ++x) {
             const int column = transposes ? y : x;
             const int row = transposes ? x : y;
-            const int from = (flips_y ? last - row : row) * raster.width + (flips_x ? last - column : column);
-            turned.values[static_cast<std::size_t>(y * raster.width + x)] =
+            const int from = (flips_y ? raster.height - 1 - row : row) * raster.width +
+                             (flips_x ? raster.width - 1 - column : column);
+            turned.values[static_cast<std::size_t>(y * turned.width + x)] =
                 raster.values[static_cast<std::size_t>(from)];
         }
     return turned;
@@ -161,7 +163,7 @@ Raster upright(const Raster& raster, int orientation) {
 
 // Opens the picture and returns what `read` makes of it.
 template <class Read>
-auto with_picture(const fs::path& file, bool square, const Read& read) {
+auto with_picture(const fs::path& file, PictureShape shape, const Read& read) {
     if (const std::string problem = input_file_problem(file); !problem.empty()) throw PictureProblem(problem);
     const std::string format = format_of(file);
     std::string png = format == "png" ? essential_png(read_text_file(file)) : "";
@@ -173,13 +175,14 @@ auto with_picture(const fs::path& file, bool square, const Read& read) {
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageSpec spec;
     if (!input->open(file.string(), spec, as_stored)) throw PictureProblem(reason_of(*input));
-    check_header(spec, square);
+    check_header(spec, shape);
     return read(*input, spec);
 }
 
-Raster read_picture(const fs::path& file) {
-    return with_picture(file, true, [](OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
-        const Raster raster = upright(read_pixels(input), spec.get_int_attribute("Orientation", 1));
+Raster read_picture(const fs::path& file, PictureShape shape) {
+    return with_picture(file, shape, [](OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+        const Raster raster =
+            letterboxed(upright(read_pixels(input), spec.get_int_attribute("Orientation", 1)));
         return raster.width > limits::raster_max ? area_average(raster, limits::raster_max) : raster;
     });
 }
@@ -215,15 +218,16 @@ auto or_reason(const Load& load, std::string& reason) -> std::optional<decltype(
 
 }  // namespace
 
-Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where) {
+Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where,
+                    PictureShape shape) {
     std::string reason;
-    if (auto raster = or_reason([&] { return read_picture(file); }, reason)) return *std::move(raster);
+    if (auto raster = or_reason([&] { return read_picture(file, shape); }, reason)) return *std::move(raster);
     throw UserError(error_file, error_where, "the picture " + file.string() + " cannot be used", reason);
 }
 
 ColourPicture load_colours(const fs::path& file) {
     std::string reason;
-    if (auto picture = or_reason([&] { return with_picture(file, false, read_colours); }, reason))
+    if (auto picture = or_reason([&] { return with_picture(file, PictureShape::any, read_colours); }, reason))
         return *std::move(picture);
     throw UserError(file.string(), "read", "the picture cannot be used", reason);
 }

@@ -10,12 +10,17 @@
 
 namespace nacre {
 
-// The luminance (Rec. 709) of a square picture, a larger one averaged down to limits::raster_max.
+enum class PictureShape {
+    square,  // any other is an error
+    any      // one that is not square is letterboxed()
+};
+
+// The luminance (Rec. 709) of a picture as a square raster, a larger one averaged down to limits::raster_max.
 // Integer pictures are decoded from sRGB, so that the highlight looks like the picture; float ones
 // are linear. Alpha multiplies: where the picture is transparent there are no facets.
 // Whatever is wrong is a UserError of the design `error_file` at `error_where` that names the picture.
 Raster load_picture(const std::filesystem::path& file, const std::string& error_file,
-                    const std::string& error_where);
+                    const std::string& error_where, PictureShape shape = PictureShape::square);
 
 // Three numbers a pixel as they are stored, integers over their largest value; a grey is repeated. Rows from
 // the top. Of any shape.

@@ -14,7 +14,7 @@ namespace nacre {
 std::vector<dvec3> normals_of_map(const ColourPicture& picture);
 
 // Of a height map that is periodic and whose heights, the mean of the colours, are `depth` picture breadths
-// from black to white: central differences.
+// from black to white, from white to black where that is negative: central differences.
 std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth);
 
 // The share of the facets' area on each normal, as a painted layer's raster with a largest value of 1. Each

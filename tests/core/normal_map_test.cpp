@@ -75,6 +75,8 @@ TEST_CASE("normal map: pictures are read as directions, heights as slopes across
     const dvec3 n = normals_of_heights(ramp, 1).at(8 * 4 + 4);
     CHECK(n.x == doctest::Approx(-1 / std::numbers::sqrt2));
     CHECK(n.y == 0);
+    CHECK(normals_of_heights(ramp, -1).at(8 * 4 + 4) == dvec3(-n.x, n.y, n.z));  // hollows for hills
+    CHECK(normals_of_heights(ramp, 0).at(8 * 4 + 4) == dvec3(0, 0, 1));
 }
 
 TEST_CASE("normal map: files of any shape are read, what is none is told") {

@@ -266,6 +266,29 @@ TEST_SUITE("picture") {
         CHECK(has(error_of(folder / "many.exr"), "9 channels"));
     }
 
+    TEST_CASE("picture: one that may have any shape keeps it, with nothing beside it") {
+        const TemporaryFolder folder;
+        const auto letterbox = [&](const char* name) {
+            return load_picture(folder / name, "test.nacre", "here.image", PictureShape::any);
+        };
+        write_image(folder / "wide.exr", {4, 2, 1, {1, 2, 3, 4, 5, 6, 7, 8}, OIIO::TypeDesc::FLOAT});
+        const Raster wide = letterbox("wide.exr");
+        CHECK(wide == Raster{4, 4, {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 0, 0, 0, 0}});
+        // Lying as it was taken, a column of four when upright.
+        write_image(folder / "tall.exr", {4, 1, 1, {1, 2, 3, 4}, OIIO::TypeDesc::FLOAT, {"Orientation", 6}});
+        const Raster tall = letterbox("tall.exr");
+        CHECK(tall == Raster{4, 4, {0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4, 0, 0}});
+        // Averaged down afterwards, so that pixels stay square and the sum per area stays.
+        const int side = limits::raster_max * 2;
+        write_image(folder / "strip.tif", {side, 64, 1, std::vector<float>(std::size_t(side) * 64, 1.f)});
+        const Raster strip = letterbox("strip.tif");
+        CHECK(strip.width == limits::raster_max);
+        const double sum = std::accumulate(strip.values.begin(), strip.values.end(), 0.0);
+        CHECK(sum == doctest::Approx(32.0 * limits::raster_max));
+        write_image(folder / "square.exr", noise(5, 1, OIIO::TypeDesc::FLOAT));
+        CHECK(letterbox("square.exr") == load(folder / "square.exr"));
+    }
+
     TEST_CASE("picture: a pixel that is no amount of facets is named") {
         const TemporaryFolder folder;
         const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -3,11 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "core/exchange/image_file.h"
 #include "core/model/facet_distribution.h"
@@ -43,6 +45,34 @@ void write_brushed_steel(const fs::path& file) {
     write_image(file, {side, side}, rgb);
 }
 
+// Grooves along y, all of one slope: the height goes up and down 8 times over the breadth.
+void write_grooves(const fs::path& file) {
+    constexpr int side = 128, period = 16;
+    std::vector<float> rgb;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const int at = column % period;
+            const float height = static_cast<float>(std::min(at, period - at)) / (period / 2);
+            rgb.insert(rgb.end(), 3, height);
+        }
+    write_image(file, {side, side}, rgb);
+}
+
+// Root mean squares of x and y over a layer's facets.
+glm::dvec2 spread(const Layer& layer) {
+    Distribution alone;
+    alone.layers = {layer};
+    const FacetDistribution p(alone);
+    glm::dvec2 squares(0);
+    double mass = 0;
+    const auto facets = p.facets(0);
+    for (const Facet& facet : facets.front()) {
+        squares += facet.mass * glm::dvec2(facet.h.x * facet.h.x, facet.h.y * facet.h.y);
+        mass += facet.mass;
+    }
+    return glm::sqrt(squares / mass);
+}
+
 }  // namespace
 
 TEST_CASE("picture: a brushed-steel normal map gives a streak across the brushing") {
@@ -54,17 +84,9 @@ TEST_CASE("picture: a brushed-steel normal map gives a streak across the brushin
     CHECK(r.layers()[1].name == "steel");
     CHECK(r.layers()[1].enabled);
     CHECK(r.stage.designer().baker.problem().empty());
-    Distribution alone;
-    alone.layers = {r.layers()[1]};
-    const FacetDistribution p(alone);
-    double xx = 0, yy = 0;
-    const auto facets = p.facets(0);
-    for (const Facet& facet : facets.front()) {
-        xx += facet.mass * facet.h.x * facet.h.x;
-        yy += facet.mass * facet.h.y * facet.h.y;
-    }
-    CHECK(std::sqrt(xx) > 0.2);
-    CHECK(std::sqrt(xx / yy) > 5);
+    const glm::dvec2 across = spread(r.layers()[1]);
+    CHECK(across.x > 0.2);
+    CHECK(across.x / across.y > 5);
     r.play("key Ctrl+Z");
     CHECK(r.stage.designer().document.design == before);
 }
@@ -84,6 +106,50 @@ TEST_CASE("picture: it becomes the stamp in hand, or the chosen layer's modulati
     r.play("click \"Layer 1\"\ndrop " + r.quoted("check.png") +
            "\nframes 3\nclick \"Modulation\"\nframes 3\nwait");
     CHECK(r.layers()[0].modulation.has_value());
+    CHECK(r.stage.designer().baker.problem().empty());
+}
+
+TEST_CASE("picture: the smoothing and the height of a map are set in the question, and stay set") {
+    Rig r;
+    write_grooves(r.folder / "grooves.exr");
+    const std::string drop = "drop " + r.quoted("grooves.exr") + "\nframes 3\n";
+    const auto answer = [&](const std::string& first) {
+        r.play(drop + first + "click \"Heights\"\nframes 3\nwait");
+        return spread(r.layers().back());
+    };
+    const glm::dvec2 usual = answer("");
+    // 2 % of the breadth in a sixteenth of it.
+    const double slope = 0.02 * 16;
+    const double degree = 3.14159265358979 / 180;
+    CHECK(usual.x == doctest::Approx(slope / std::hypot(1, slope)).epsilon(0.02));
+    CHECK(usual.y == doctest::Approx(1.5 * degree).epsilon(0.05));
+    const glm::dvec2 smooth = answer("drag \"Smoothing\":0.5 \"Smoothing\":0.6\nframes 3\n");
+    CHECK(smooth.y == doctest::Approx(6 * degree).epsilon(0.1));
+    const glm::dvec2 rough = answer("drag \"Height\":0.5 \"Height\":1\nframes 3\n");
+    CHECK(rough.x > 2 * usual.x);
+    CHECK(rough.y > 2 * usual.y);  // the smoothing stayed
+    const glm::dvec2 reset = answer(
+        "frames 30\nclick \"Height\"\nclick \"Height\"\nframes 30\n"
+        "click \"Smoothing\"\nclick \"Smoothing\"\nframes 3\n");
+    CHECK(reset == usual);
+}
+
+TEST_CASE("picture: a wide one paints and modulates as wide as it is") {
+    Rig r;
+    write_image(r.folder / "wide.exr", {8, 2}, std::vector<float>(48, 1));
+    const std::string drop = "drop " + r.quoted("wide.exr") + "\nframes 3\n";
+    r.play(drop + "click \"Stamp\"\nframes 3");
+    r.canvas().brush.radius = 30;
+    r.play("click \"Canvas\":@0,0\nwait");
+    REQUIRE(r.layers().size() == 2);
+    const glm::dvec2 painted = spread(r.layers()[1]);
+    CHECK(painted.x / painted.y > 3);
+    CHECK(painted.x / painted.y < 5);
+    r.layers()[0].lobe = UniformLobe{};
+    r.play("click \"Layer 1\"\n" + drop + "click \"Modulation\"\nframes 3\nwait");
+    REQUIRE(r.layers()[0].modulation);
+    const glm::dvec2 modulated = spread(r.layers()[0]);
+    CHECK(modulated.x / modulated.y > 2);
     CHECK(r.stage.designer().baker.problem().empty());
 }
 

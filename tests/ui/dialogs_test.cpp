@@ -7,6 +7,7 @@
 #include "tests/ui/panel_rig.h"
 #include "ui/commands.h"
 #include "ui/presets_panel.h"
+#include "ui/widgets.h"
 
 using namespace nacre;
 
@@ -144,4 +145,29 @@ TEST_CASE("presets: a click returns the index") {
     });
     rig.click("Preset Satin");
     CHECK(clicked == 1);
+}
+
+TEST_CASE("question: Enter and Escape in a field of it are the field's") {
+    double number = 1;
+    std::optional<int> answer;
+    PanelRig rig([&] {
+        if (!answer)
+            answer = ui::question("Really?", "Think.", {"Yes", "No"}, [&] {
+                ui::slider({.label = "How much",
+                            .low = 0,
+                            .high = 10,
+                            .least = 0,
+                            .most = 10,
+                            .reset = 1,
+                            .format = "%.2f",
+                            .logarithmic = false,
+                            .tooltip = nullptr},
+                           number);
+            });
+    });
+    rig.enter_number("How much", "7");
+    CHECK(number == 7);
+    CHECK(!answer);
+    rig.key(PanelRig::enter);
+    CHECK(answer == 0);
 }
