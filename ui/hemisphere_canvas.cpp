@@ -164,6 +164,7 @@ CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::si
 void end_canvas(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(frame.low, frame.high, true);
+    list._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;  // soft edges one pixel wide, no more
     if (contents.picture != nullptr)
         list.AddImage(contents.picture, frame.low,
                       {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
@@ -174,6 +175,7 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
     else if (contents.design)
         draw_brush(state, frame, *contents.design, contents.chosen);
     if (state.marked) draw_mark(frame, *state.marked);
+    list._FringeScale = 1;
     list.PopClipRect();
     legend(state, frame, contents);
 }

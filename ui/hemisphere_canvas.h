@@ -88,7 +88,7 @@ struct CanvasContents {
     std::size_t chosen = 0;                // layer
     const FacetDistribution* p = nullptr;  // null for a design without facets
     ImTextureID picture = nullptr;         // null while there is none
-    ImVec2 picture_size;                   // pixels from the canvas's left top corner that it covers
+    ImVec2 picture_size;  // of the canvas, from its left top corner, in the units of the interface
     DensityScale scale;
 };
 

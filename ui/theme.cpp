@@ -101,7 +101,7 @@ void set_window_colours(ImGuiStyle& style) {
 
 }  // namespace
 
-void apply_theme(float scale) {
+void apply_theme(float scale, float pixels) {
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();
     set_spacing(style);
@@ -113,9 +113,10 @@ void apply_theme(float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.TexGlyphPadding = 1;
-    const float size = std::round(text_size * scale);
+    const float size = std::round(text_size * scale * pixels);
     add_font(font_regular(), size);
     add_font(font_semibold(), size);
+    ImGui::GetIO().FontGlobalScale = 1 / pixels;
 }
 
 ImFont* heading_font() { return ImGui::GetIO().Fonts->Fonts.back(); }

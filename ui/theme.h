@@ -27,9 +27,10 @@ inline constexpr Colour amber{0.93f, 0.73f, 0.42f, 1};
 inline constexpr Colour red{0.94f, 0.50f, 0.46f, 1};
 }  // namespace palette
 
-// Sets style and fonts of the current context for a scale of 1 at 96 dots per inch. To be called
-// before the renderer uploads the font texture.
-void apply_theme(float scale);
+// Sets style and fonts of the current context for a scale of 1 at 96 dots per inch. A unit of the interface
+// is `pixels` of the framebuffer: letters are drawn that fine. To be called before the renderer uploads the
+// font texture.
+void apply_theme(float scale, float pixels = 1);
 
 // The heavier face for headings.
 ImFont* heading_font();

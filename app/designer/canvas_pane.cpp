@@ -81,14 +81,17 @@ void CanvasPane::draw(Design& design, ui::LayersView& layers, const std::functio
     edited();
     const FacetDistribution* p = live_.of(ui::shown(layers, design.distribution));
     state.mean = p ? std::optional(p->mean()) : std::nullopt;
+    // Drawn at the framebuffer's pixels, of which a unit of the interface may have several.
+    const auto pixels = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
+    const HemisphereView view(state.camera, frame.view.size() * pixels);
     Drawn wanted{.revision = live_.revision(),
                  .camera = state.camera,
-                 .size = frame.view.size(),
+                 .size = view.size(),
                  .logarithmic = state.logarithmic};
     wanted.divisor = divisor(wanted);
-    if (p && wanted != drawn_) redraw(*p, frame.view, wanted);
+    if (p && wanted != drawn_) redraw(*p, view, wanted);
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.name()));
-    const glm::vec2 covered(texels_ * drawn_.divisor);
+    const glm::vec2 covered(glm::dvec2(texels_ * drawn_.divisor) / pixels);
     ui::end_canvas(state, frame,
                    {.design = &design.distribution,
                     .chosen = layers.chosen,

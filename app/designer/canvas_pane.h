@@ -27,6 +27,9 @@ class CanvasPane {
     // From now on each picture is drawn with every pixel, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }
 
+    // Texels of the newest picture.
+    glm::ivec2 picture_size() const { return texels_; }
+
     // The normal under the pointer.
     const std::optional<dvec3>& pointed_at() const { return pointed_at_; }
 
@@ -35,7 +38,7 @@ class CanvasPane {
     struct Drawn {
         int revision = -1;
         HemisphereCamera camera;
-        glm::dvec2 size{0};
+        glm::dvec2 size{0};  // pixels of the framebuffer
         bool logarithmic = false;
         int divisor = 0;
         bool operator==(const Drawn&) const = default;

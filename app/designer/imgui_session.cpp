@@ -8,14 +8,14 @@
 
 namespace nacre {
 
-ImguiSession::ImguiSession(float ui_scale) {
+ImguiSession::ImguiSession(float ui_scale, float pixels_a_unit) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // what is kept between runs is the program's decision
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
-    ui::apply_theme(ui_scale);
+    ui::apply_theme(ui_scale, pixels_a_unit);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 

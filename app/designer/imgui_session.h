@@ -7,8 +7,8 @@ namespace nacre {
 
 class ImguiSession {
   public:
-    // A current OpenGL 3.3 context is needed, then and in every later call.
-    explicit ImguiSession(float ui_scale);
+    // A current OpenGL 3.3 context is needed, then and in every later call. See ui::apply_theme().
+    explicit ImguiSession(float ui_scale, float pixels_a_unit = 1);
     ~ImguiSession();
     ImguiSession(const ImguiSession&) = delete;
     ImguiSession& operator=(const ImguiSession&) = delete;

@@ -30,7 +30,8 @@ void run(const Arguments& arguments) {
         document = nacre::Document(nacre::load_design(arguments.design),
                                    std::filesystem::absolute(arguments.design));
     nacre::Window window({1280, 800}, "Nacre");
-    const nacre::ImguiSession session(arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale());
+    const nacre::ImguiSession session(arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale(),
+                                      window.pixels_a_unit());
     nacre::KeyLatch keys(window.handle());
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     {

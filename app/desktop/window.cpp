@@ -46,7 +46,14 @@ float Window::monitor_scale() const {
     float x = 1;
     float y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    return x > 0 ? x : 1;
+    return x > 0 ? x / pixels_a_unit() : 1;
+}
+
+float Window::pixels_a_unit() const {
+    glm::ivec2 units{0};
+    glfwGetWindowSize(window_, &units.x, &units.y);
+    const glm::ivec2 pixels = framebuffer_size();
+    return units.x > 0 && pixels.x > 0 ? static_cast<float>(pixels.x) / static_cast<float>(units.x) : 1;
 }
 
 glm::ivec2 Window::framebuffer_size() const {

@@ -18,7 +18,10 @@ class Window {
     Window& operator=(const Window&) = delete;
 
     GLFWwindow* handle() const { return window_; }
+    // How much larger than usual the monitor wants text, in the window's units, ...
     float monitor_scale() const;
+    // ... which are several pixels each on some systems.
+    float pixels_a_unit() const;
     glm::ivec2 framebuffer_size() const;
 
     void set_title(const std::string& title);

@@ -11,9 +11,13 @@
 namespace nacre {
 
 Stage::Stage(const StageOptions& options)
-    : size_(options.size), context_(make_offscreen_context(options.size)), session_(options.ui_scale) {
+    : size_(options.size),
+      context_(make_offscreen_context(options.size)),
+      session_(options.ui_scale, options.pixels_a_unit) {
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(size_.x), static_cast<float>(size_.y));
+    const float pixels = options.pixels_a_unit;
+    io.DisplaySize = ImVec2(static_cast<float>(size_.x) / pixels, static_cast<float>(size_.y) / pixels);
+    io.DisplayFramebufferScale = ImVec2(pixels, pixels);
     io.DeltaTime = 1.0f / 60;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;  // panels are resizable as in the window
     map_keys(io);

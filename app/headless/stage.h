@@ -17,9 +17,10 @@
 namespace nacre {
 
 struct StageOptions {
-    glm::ivec2 size{1280, 800};
+    glm::ivec2 size{1280, 800};  // pixels
     float ui_scale = 1;
-    int bake_threads = 0;  // as many as the machine has
+    float pixels_a_unit = 1;  // of the interface: more on screens whose units are not their pixels
+    int bake_threads = 0;     // as many as the machine has
 };
 
 class Stage {

@@ -2,10 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <string>
 
 #include "core/design/error.h"
 #include "tests/designer/rig.h"
+#include "ui/canvas_path.h"
 
 using namespace nacre;
 
@@ -117,4 +119,21 @@ TEST_CASE("canvas: a place on the hemisphere is the canvas's alone") {
     Rig r;
     CHECK_THROWS_WITH_AS(r.play("move \"Preview\":@30,0"),
                          "test: line 1: only the canvas shows normals (Preview)", UserError);
+}
+
+TEST_CASE("canvas: its picture has the framebuffer's pixels, however many a unit of the interface has") {
+    for (const float pixels : {1.0f, 2.0f}) {
+        CAPTURE(pixels);
+        Stage stage({.size = {1000, 700}, .ui_scale = 0.5f, .pixels_a_unit = pixels, .bake_threads = 1});
+        stage.designer().canvas.insist_on_best();
+        stage.frame();
+        stage.play(parse_events("move \"Canvas\":@20,30", "test"));
+        const auto box = stage.items().rectangle("Canvas");
+        REQUIRE(box);
+        CHECK(stage.designer().canvas.picture_size() ==
+              glm::ivec2(glm::ceil(pixels * glm::vec2(box->z - box->x, box->w - box->y))));
+        // The pointer's place counts in units.
+        REQUIRE(stage.designer().canvas.pointed_at());
+        CHECK(ui::polar_angle(*stage.designer().canvas.pointed_at()) == doctest::Approx(20).epsilon(0.05));
+    }
 }
