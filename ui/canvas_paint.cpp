@@ -99,12 +99,14 @@ dvec3 round_edge(dvec3 middle, double angle, double t) {
            dvec3(std::sin(angle) * std::cos(psi), std::sin(angle) * std::sin(psi), std::cos(angle));
 }
 
-dvec3 square_edge(dvec3 middle, double half, double t) {
+// The edge of what a stamp covers: `half` the angle from its middle to a side of its square.
+dvec3 stamp_edge(dvec3 middle, double half, glm::dvec2 reach, double t) {
     const double side = std::min(std::floor(4 * t), 3.0), along = 2 * (4 * t - side) - 1;
-    const dvec2 at = side < 1   ? dvec2(along, 1)
-                     : side < 2 ? dvec2(1, -along)
-                     : side < 3 ? dvec2(-along, -1)
-                                : dvec2(-1, along);
+    const dvec2 corner = side < 1   ? dvec2(along, 1)
+                         : side < 2 ? dvec2(1, -along)
+                         : side < 3 ? dvec2(-along, -1)
+                                    : dvec2(-1, along);
+    const dvec2 at = corner * reach;
     const double angle = half * glm::length(at), sine = std::sin(angle) / glm::length(at);
     return shortest_rotation({0, 0, 1}, middle) * dvec3(at * sine, std::cos(angle));
 }
@@ -176,9 +178,10 @@ void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Distri
     for (std::size_t i = images.size(); i-- > 0;) {
         const glm::dmat3 to = place * images[i];
         const bool first = i == 0;
-        if (state.tool == CanvasTool::stamp) {
+        if (state.tool == CanvasTool::stamp && state.stamp < state.stamps.size()) {
+            const glm::dvec2 reach = state.stamps[state.stamp].reach;
             outline(
-                frame, [&](double t) { return to * square_edge(middle, radius, t); }, first);
+                frame, [&](double t) { return to * stamp_edge(middle, radius, reach, t); }, first);
             continue;
         }
         outline(

@@ -71,7 +71,7 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
     const std::string name = file.stem().string();
     try {
         if (answer == stamp) {
-            canvas.stamps.push_back({name, stamp_of(file)});
+            canvas.stamps.push_back(named_stamp(name, stamp_of(file)));
             canvas.stamp = canvas.stamps.size() - 1;
             canvas.tool = ui::CanvasTool::stamp;
         } else if (answer == normals) {

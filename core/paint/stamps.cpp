@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <numbers>
+#include <utility>
 
 #include "core/paint/raster_texels.h"
 
@@ -69,8 +71,20 @@ std::shared_ptr<const Raster> drawn(const Value& value) {
 
 }  // namespace
 
+NamedStamp named_stamp(std::string name, std::shared_ptr<const Raster> picture) {
+    dvec2 reach(0);
+    const int width = picture->width;
+    for (int row = 0; row < width; ++row)
+        for (int column = 0; column < width; ++column)
+            if (picture->values[static_cast<std::size_t>(row * width + column)] > 0)
+                reach = glm::max(reach, glm::abs(texel_point(width, row, column)) + 1.0 / width);
+    if (reach == dvec2(0)) reach = dvec2(1);
+    return {std::move(name), std::move(picture), reach};
+}
+
 std::vector<NamedStamp> built_in_stamps() {
-    return {{"Smiley", drawn(smiley)}, {"Heart", drawn(heart)}, {"Star", drawn(star)}, {"Dots", drawn(grid)}};
+    return {named_stamp("Smiley", drawn(smiley)), named_stamp("Heart", drawn(heart)),
+            named_stamp("Star", drawn(star)), named_stamp("Dots", drawn(grid))};
 }
 
 }  // namespace nacre

@@ -154,3 +154,20 @@ TEST_CASE("stamps: each has white and black, within a circle or nearly") {
         CHECK(stamp.picture->width == stamp.picture->height);
     }
 }
+
+TEST_CASE("stamps: the reach is that of what paints") {
+    Raster wide{8, 8, std::vector<float>(64)};
+    for (int row = 3; row < 5; ++row)
+        for (int column = 0; column < 8; ++column)
+            wide.values[static_cast<std::size_t>(row * 8 + column)] = 1;
+    CHECK(named_stamp("wide", std::make_shared<const Raster>(wide)).reach == glm::dvec2(1, 0.25));
+    const auto blank = std::make_shared<const Raster>(Raster{2, 2, std::vector<float>(4)});
+    CHECK(named_stamp("blank", blank).reach == glm::dvec2(1));
+    for (const NamedStamp& stamp : built_in_stamps()) {
+        CAPTURE(stamp.name);
+        CHECK(stamp.reach.x > 0.8);
+        CHECK(stamp.reach.x <= 1);
+        CHECK(stamp.reach.y > 0.8);
+        CHECK(stamp.reach.y <= 1);
+    }
+}
