@@ -79,7 +79,7 @@ void CanvasPane::draw(Design& design, ui::LayersView& layers) {
     const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, layers.chosen);
     pointed_at_ = frame.cursor;
     const FacetDistribution* p = live_.of(ui::shown(layers, design.distribution));
-    state.mean = p ? std::optional(p->mean()) : std::nullopt;
+    state.mean = p && !layers.solo ? std::optional(p->mean()) : std::nullopt;
     Drawn wanted{.revision = live_.revision(),
                  .camera = state.camera,
                  .size = frame.view.size(),
