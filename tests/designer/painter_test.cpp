@@ -71,7 +71,13 @@ class Hour {
             if (!on_screen(line)) break;
             rig_.play(line);
         }
-        if (rig_.designer().pictures.talking()) rig_.play("frames 2\nclick \"Cancel\"");
+        // A question about a dropped picture, or why it was not taken.
+        for (const char* answer : {"Cancel", "OK"}) {
+            if (!rig_.designer().pictures.talking()) break;
+            rig_.play("frames 2");
+            const std::string line = "click \"" + std::string(answer) + "\"";
+            if (on_screen(line)) rig_.play(line);
+        }
         rig_.play("key Escape");
         REQUIRE(!rig_.designer().pictures.talking());
         REQUIRE(!rig_.designer().files.talking());

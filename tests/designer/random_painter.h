@@ -65,16 +65,19 @@ class RandomPainter {
 
     std::vector<std::string> layers() {
         const std::string layer = "Layer " + std::to_string(1 + pick(4));
-        switch (pick(7)) {
+        switch (pick(8)) {
             case 0:
                 return {click("Add layer"), "frames 2", click("Add " + std::string(one_of(lobes)))};
             case 1:
                 return {click(one_of(layer_buttons))};
             case 2:
-                return {click(layer + " enabled")};
             case 3:
-                return {click(layer + " solo")};
+                return {click("Delete layer")};
             case 4:
+                return {click(layer + " enabled")};
+            case 5:
+                return {click(layer + " solo")};
+            case 6:
                 return {drag("\"Weight\":" + fraction(), "\"Weight\":" + fraction())};
             default:
                 return {click(layer)};
@@ -108,8 +111,7 @@ class RandomPainter {
                                               "Mirror both", "Turns",    "Full ring"};
     static constexpr std::array balances = {"Balance", "Balance", "Straighten", "New painted layer"};
     static constexpr std::array lobes = {"Gaussian", "GGX", "Beckmann", "Uniform", "Curve", "Painted"};
-    static constexpr std::array layer_buttons = {"Duplicate layer", "Delete layer", "Delete layer",
-                                                 "Layer up", "Layer down"};
+    static constexpr std::array layer_buttons = {"Duplicate layer", "Layer up", "Layer down"};
     static constexpr std::array answers = {"Stamp", "Normals", "Heights", "Modulation", "Cancel"};
 
     std::mt19937 random_;
