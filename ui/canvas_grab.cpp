@@ -1,11 +1,33 @@
+#include "core/model/facet_distribution.h"
 #include "core/paint/lobe_handles.h"
+#include "core/paint/painted_layer.h"
 #include "ui/brush_surface.h"
 #include "ui/canvas_paint.h"
 
 namespace nacre::ui {
 namespace {
 
-// A press takes the layer that is strongest there; a drag carries it along, rigidly.
+// What a hand takes hold of at a normal: of a painted layer the highlight there, any other layer whole.
+std::optional<CarriedLayer> taken(const Layer& layer, std::size_t index, const BrushSurface& surface) {
+    CarriedLayer carried{index, layer, *surface.pointed_at, surface.surface, surface.pixel, {}};
+    if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe)) {
+        carried.highlight =
+            Highlight::under(*paintable(*painted), glm::transpose(layer_frame(layer)) * carried.from);
+        if (!carried.highlight) return {};
+    }
+    return carried;
+}
+
+Layer dragged(const CarriedLayer& held, dvec3 to, const Layer& now) {
+    if (!held.highlight) return carried(held.before, held.from, to);
+    auto raster = held.highlight->carried(glm::transpose(layer_frame(held.before)) * to);
+    if (!raster) return now;
+    Layer layer = held.before;
+    std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
+    return layer;
+}
+
+// A press takes hold in the layer that is strongest there; a drag carries along what was taken.
 bool grab_layers(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
                  std::size_t& chosen) {
     if (state.carried && state.carried->surface == surface.surface &&
@@ -16,15 +38,16 @@ bool grab_layers(CanvasState& state, const BrushSurface& surface, Distribution& 
         const auto layer = state.strongest_layer ? state.strongest_layer(*surface.pointed_at) : std::nullopt;
         if (layer && *layer < distribution.layers.size()) {
             chosen = *layer;
-            state.carried =
-                CarriedLayer{chosen, distribution.layers[chosen], *surface.pointed_at, surface.surface};
+            state.carried = taken(distribution.layers[chosen], chosen, surface);
         }
     }
     if (!state.carried || state.carried->surface != surface.surface) return pointing;
     const auto to = surface.normal(surface.pixel);
-    if (to && state.carried->layer < distribution.layers.size() &&
-        ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))
-        distribution.layers[state.carried->layer] = carried(state.carried->before, state.carried->from, *to);
+    if (to && state.carried->layer < distribution.layers.size() && surface.pixel != state.carried->pixel) {
+        state.carried->pixel = surface.pixel;
+        Layer& layer = distribution.layers[state.carried->layer];
+        layer = dragged(*state.carried, *to, layer);
+    }
     return true;
 }
 

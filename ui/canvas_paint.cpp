@@ -57,11 +57,14 @@ void begin_stroke(CanvasState& state, const BrushSurface& surface, Distribution&
     auto& lobe = std::get<PaintedLobe>(layer.lobe);
     lobe.image = {{}, paintable(lobe)};
     const Raster& raster = *lobe.image.raster;
-    if (raster_mass(raster) > 0) layer.enabled = true;
+    const double mass = raster_mass(raster);
+    if (mass > 0) layer.enabled = true;
+    make_room_for_paint(distribution, chosen, mass);
     const double others = weight_of_others(distribution, chosen);
     const dvec3 at = in_layer(layer, *surface.pointed_at);
     state.held = HeldBrush{.layer = chosen,
                            .before = layer,
+                           .mass = mass,
                            .first_weight = others > 0 ? first_share * others : 1,
                            .stroke = {},
                            .from = at,
@@ -159,7 +162,7 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution&
     Layer& layer = distribution.layers[state.held->layer];
     if (std::get<PaintedLobe>(layer.lobe).image.raster == raster) return true;
     layer = state.held->before;
-    set_raster(layer, std::move(raster), state.held->first_weight);
+    set_raster(layer, std::move(raster), state.held->mass, state.held->first_weight);
     return true;
 }
 

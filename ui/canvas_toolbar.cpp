@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/canvas_grid.h"
+#include "ui/balance_buttons.h"
 #include "ui/canvas_paint.h"
-#include "ui/canvas_path.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
@@ -29,9 +28,9 @@ constexpr ToolEntry tools[] = {
     {CanvasTool::handles, "Handles", 'V',
      "Shape lobes by their handles (V): the middle leans a lobe, its ends widen it, its outline turns it."},
     {CanvasTool::grab, "Grab", 'G',
-     "Take hold of a highlight, here or on the sphere, and carry it along (G): the layer that is strongest "
-     "there "
-     "follows."},
+     "Take hold of a highlight, here or on the sphere, and carry it along (G): of the layer that is "
+     "strongest "
+     "there a painted hill follows up to the valleys about it, a lobe as a whole."},
     {CanvasTool::paint, "Paint", 'B',
      "Paint facets (B), here or on the sphere. On a lobe that is no painted one a "
      "new "
@@ -163,7 +162,7 @@ void tool_number(CanvasState& state, float breadth) {
     }
 }
 
-void brush_row(CanvasState& state) {
+void brush_row(CanvasState& state, Distribution& distribution) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
     const bool turns = state.symmetry.kind == SymmetryKind::turns;
     const float breadth = size * (turns ? 5.5f : 6.2f), menu = size * 8;
@@ -187,21 +186,20 @@ void brush_row(CanvasState& state) {
     choice("Symmetry", kind, {std::begin(symmetries), std::end(symmetries)}, menu,
            "Copies of each stroke about the layer's axis.");
     state.symmetry.kind = static_cast<SymmetryKind>(kind);
-    if (!turns) return;
-    flow(size * 3.2f, gap);
-    whole_number("Turns", "\u00d7 %.0f", {turns_least, turns_most, BrushSymmetry{}.turns}, size * 3.2f,
-                 state.symmetry.turns);
+    if (turns) {
+        flow(size * 3.2f, gap);
+        whole_number("Turns", "\u00d7 %.0f", {turns_least, turns_most, BrushSymmetry{}.turns}, size * 3.2f,
+                     state.symmetry.turns);
+    }
+    flow(breadth_of(balance_text), gap);
+    balance_button(state, distribution);
 }
 
 // What stands in place of the brush's numbers while there is no brush.
-void handles_row(const CanvasState& state, Distribution& distribution) {
-    const bool leans = state.mean && polar_angle(*state.mean) >= lean_noticed;
-    if (button("Straighten",
-               "Turn all layers together by the smallest angle that brings the mean normal to n. While it "
-               "leans, "
-               "facets on one side show more area than the surface has; Keep energy then counts none twice.",
-               leans))
-        straighten(distribution, *state.mean);
+void handles_row(CanvasState& state, Distribution& distribution) {
+    balance_button(state, distribution);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    straighten_button(state, distribution);
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
@@ -245,7 +243,7 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
     if (state.tool == CanvasTool::handles || state.tool == CanvasTool::grab)
         handles_row(state, distribution);
     else
-        brush_row(state);
+        brush_row(state, distribution);
 }
 
 }  // namespace nacre::ui

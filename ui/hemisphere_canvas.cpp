@@ -109,6 +109,8 @@ void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasCont
         colour = lean < lean_noticed ? palette::text_dim : palette::amber;
         text =
             lean < lean_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", lean);
+        if (state.refusal && state.mean == state.refusal->mean)
+            text = state.refusal->why, colour = palette::amber;
     }
     const float text_left = right - ImGui::CalcTextSize(text.c_str()).x;
     text_at({text_left, top}, text, colour);

@@ -6,10 +6,12 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "core/model/facet_distribution.h"
 #include "core/paint/density_picture.h"
 #include "core/paint/hemisphere_view.h"
+#include "core/paint/highlight.h"
 #include "core/paint/lobe_handles.h"
 #include "core/paint/shape.h"
 #include "core/paint/stamps.h"
@@ -32,19 +34,21 @@ enum class CanvasTool { handles, grab, paint, erase, smooth, smear, stamp, line,
 // Where a drag has begun and therefore stays.
 enum class Surface { canvas, sphere };
 
-// A layer that is carried along.
+// A layer that is carried along: a painted one by the highlight that was taken hold of, any other whole.
 struct CarriedLayer {
     std::size_t layer;
     Layer before;
     dvec3 from;
     Surface surface;
+    glm::dvec2 pixel;  // of the pointer when it was last followed
+    std::optional<Highlight> highlight;
 };
 
 // A stroke or a shape while the button is held.
 struct HeldBrush {
     std::size_t layer;
     Layer before;
-    double first_weight;           // see set_raster()
+    double mass, first_weight;     // see set_raster()
     std::optional<Stroke> stroke;  // none for a shape
     dvec3 from;                    // of a shape, in the layer's frame
     glm::dvec2 pixel;              // of the pointer in the frame before
@@ -52,6 +56,12 @@ struct HeldBrush {
 };
 
 inline constexpr int usual_rays = 5;
+
+// Why p could not be balanced.
+struct Refusal {
+    dvec3 mean;  // normal, of the p that it was
+    std::string why;
+};
 
 // What the canvas remembers between frames; no part of the document.
 struct CanvasState {
@@ -67,7 +77,8 @@ struct CanvasState {
     std::optional<HeldBrush> held;
     std::optional<CarriedLayer> carried;
     std::function<std::optional<std::size_t>(dvec3)> strongest_layer;  // at a normal, if any has facets there
-    std::optional<dvec3> mean;    // of the facets' normals, in the frame before
+    std::optional<dvec3> mean;  // of the facets' normals in the frame before, while all layers are shown
+    std::optional<Refusal> refusal;
     std::optional<dvec3> marked;  // by the preview: the normal of the facets that light what is pointed at
 };
 

@@ -80,7 +80,7 @@ void CanvasPane::draw(Design& design, ui::LayersView& layers, const std::functio
     pointed_at_ = frame.cursor;
     edited();
     const FacetDistribution* p = live_.of(ui::shown(layers, design.distribution));
-    state.mean = p ? std::optional(p->mean()) : std::nullopt;
+    state.mean = p && !layers.solo ? std::optional(p->mean()) : std::nullopt;
     // Drawn at the framebuffer's pixels, of which a unit of the interface may have several.
     const auto pixels = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
     const HemisphereView view(state.camera, frame.view.size() * pixels);

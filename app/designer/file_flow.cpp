@@ -81,7 +81,7 @@ void FileFlow::go_on(Document& document) {
 // A preset opens as a new design: saving it must not change what comes with the program.
 void FileFlow::load(Document& document, bool as_preset) {
     try {
-        document = Document(load_design(to_open_), as_preset ? fs::path() : to_open_);
+        document = Document(load_work(to_open_), as_preset ? fs::path() : to_open_);
         if (as_preset) document.preset = to_open_;
         message_ = "Opened " + to_open_.filename().string();
         if (!as_preset) last_folder_ = to_open_.parent_path();

@@ -25,7 +25,7 @@ void add_layer_of(const std::vector<dvec3>& normals_found, double width, const s
     Layer& layer = distribution.layers[chosen];
     layer.name = name;
     const double others = weight_of_others(distribution, chosen);
-    set_raster(layer, std::move(raster), others > 0 ? others : 1);
+    set_raster(layer, std::move(raster), 0, others > 0 ? others : 1);
 }
 
 std::shared_ptr<const Raster> stamp_of(const std::filesystem::path& file) {

@@ -27,8 +27,8 @@ struct Arguments {
 void run(const Arguments& arguments) {
     nacre::Document document;
     if (!arguments.design.empty())
-        document = nacre::Document(nacre::load_design(arguments.design),
-                                   std::filesystem::absolute(arguments.design));
+        document =
+            nacre::Document(nacre::load_work(arguments.design), std::filesystem::absolute(arguments.design));
     nacre::Window window({1280, 800}, "Nacre");
     const nacre::ImguiSession session(arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale(),
                                       window.pixels_a_unit());

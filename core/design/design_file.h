@@ -18,6 +18,12 @@ Design load_design(const std::filesystem::path& file);
 Design parse_design(std::string_view json_text, const std::string& file_name_for_errors,
                     const std::filesystem::path& base_dir);
 
+// The same for whoever goes on with the work: a design that holds no facets yet, or none any more, is work
+// too.
+Design load_work(const std::filesystem::path& file);
+Design parse_work(std::string_view json_text, const std::string& file_name_for_errors,
+                  const std::filesystem::path& base_dir);
+
 // Picture files are named relative to `base_dir`. Parsed again, the text gives an equal design; keys
 // that the chosen models do not have (the correlation width of `uncorrelated`) are not in it.
 std::string design_json(const Design& design, const std::filesystem::path& base_dir);

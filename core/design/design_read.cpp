@@ -92,8 +92,8 @@ Diffuse read_diffuse(const JsonValue& json) {
 
 }  // namespace
 
-Design parse_design(std::string_view json_text, const std::string& file_name_for_errors,
-                    const fs::path& base_dir) {
+Design parse_work(std::string_view json_text, const std::string& file_name_for_errors,
+                  const fs::path& base_dir) {
     const nlohmann::json tree = parse_json(json_text, file_name_for_errors);
     ObjectReader reader(JsonValue(tree, "", file_name_for_errors));
     check_version(reader);
@@ -107,13 +107,24 @@ Design parse_design(std::string_view json_text, const std::string& file_name_for
     reader.finish("a design");
     if (has_distribution)
         design.distribution = read_distribution(reader.at("distribution"), absolute_folder(base_dir));
+    return design;
+}
+
+Design parse_design(std::string_view json_text, const std::string& file_name_for_errors,
+                    const fs::path& base_dir) {
+    Design design = parse_work(json_text, file_name_for_errors, base_dir);
     check_design(design, file_name_for_errors);
     return design;
 }
 
+Design load_work(const fs::path& file) {
+    return parse_work(read_text_file(file), file.string(), file.parent_path());
+}
+
 Design load_design(const fs::path& file) {
-    const std::string text = read_text_file(file);
-    return parse_design(text, file.string(), file.parent_path());
+    Design design = load_work(file);
+    check_design(design, file.string());
+    return design;
 }
 
 }  // namespace nacre

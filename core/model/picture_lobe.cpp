@@ -10,6 +10,7 @@
 #include "core/model/lobe_densities.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/shading.h"
+#include "core/model/span_facet.h"
 
 namespace nacre {
 namespace {
@@ -233,16 +234,7 @@ class Modulated final : public LobeModel {
     static constexpr int side = 256;
 
     MomentPyramid make_pyramid(const LobeSpan& span) const {
-        const double patch = 2 * pi / side / side * span.stretch.x * span.stretch.y;
-        return MomentPyramid(side, [&](int i, int j) {
-            const double t = (i + 0.5) / side, s = std::sqrt(1 - t * t);
-            const double psi = 2 * pi * (j + 0.5) / side;
-            const dvec3 stretched{span.stretch.x * s * std::cos(psi), span.stretch.y * s * std::sin(psi), t};
-            const double length = glm::length(stretched);
-            dvec3 h = stretched / length;
-            h.z *= span.flip;
-            return Facet{h, density(h) * patch / (length * length * length)};
-        });
+        return MomentPyramid(side, [&](int i, int j) { return span_facet(*this, span, side, i, j); });
     }
 
     std::shared_ptr<const LobeModel> base_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/paint/raster_texels.h"
 
@@ -68,17 +69,24 @@ double raster_mass(const Raster& raster) {
     return sum * texel_solid_angle(raster.width);
 }
 
-void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double first_weight) {
-    auto& image = std::get<PaintedLobe>(layer.lobe).image;
-    const double before = raster_mass(*image.raster), after = raster_mass(*raster);
+void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight) {
+    const double after = raster_mass(*raster);
     if (after > 0) {
-        const double weight = before > 0 ? layer.weight * (after / before) : first_weight;
-        layer.weight = std::clamp(weight, 0.0, limits::weight_max);
-        if (!(before > 0)) layer.enabled = true;
+        layer.weight = mass > 0 ? layer.weight * (after / mass) : first_weight;
+        if (!(mass > 0)) layer.enabled = true;
     } else {
         layer.enabled = false;
     }
-    image = {{}, std::move(raster)};
+    std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
+}
+
+void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass) {
+    // Values are at most 1, and texels count in whole: a little more than the hemisphere.
+    constexpr double mass_most = 2.01 * std::numbers::pi;
+    const double room = limits::weight_max * std::min(mass / mass_most, 1.0);
+    const double weight = distribution.layers[layer].weight;
+    if (!(mass > 0) || weight <= room) return;
+    for (Layer& each : distribution.layers) each.weight *= room / weight;
 }
 
 double weight_of_others(const Distribution& distribution, std::size_t except) {

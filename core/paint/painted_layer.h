@@ -24,9 +24,14 @@ dvec3 above_horizon(dvec3 h);
 double raster_mass(const Raster& raster);
 
 // Gives the layer another raster, and the weight with which a value of the raster goes on meaning as many
-// facets as before: paint adds facets and takes none from elsewhere in the layer. The first paint of a blank
-// layer gets `first_weight`. A layer is enabled by its first paint, and left out when the last is erased.
-void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double first_weight);
+// facets as before: paint adds facets and takes none from elsewhere in the layer. `mass` is raster_mass() of
+// the raster that it has; the first paint of a blank layer gets `first_weight`. A layer is enabled by its
+// first paint, and left out when the last is erased.
+void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight);
+
+// Takes all weights by one factor, which changes nothing of p, where the weight of a layer of that mass could
+// else outgrow limits::weight_max while all of it is painted over.
+void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass);
 
 // Of the layers that count, but for the one at `except`.
 double weight_of_others(const Distribution& distribution, std::size_t except);

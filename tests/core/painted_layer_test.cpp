@@ -68,7 +68,8 @@ TEST_CASE("painted layer: paint adds facets and takes none from elsewhere") {
     const auto paint = [&](PaintTool tool, dvec3 h) {
         const auto& lobe = std::get<PaintedLobe>(layer.lobe);
         Stroke stroke(*paintable(lobe), style_of(tool, SymmetryKind::none), h);
-        set_raster(layer, stroke.raster(), 0.5 * weight_of_others(design, 1));
+        set_raster(layer, stroke.raster(), raster_mass(*lobe.image.raster),
+                   0.5 * weight_of_others(design, 1));
     };
     paint(PaintTool::paint, polar(30, 0));
     CHECK(layer.enabled);
@@ -85,7 +86,7 @@ TEST_CASE("painted layer: paint adds facets and takes none from elsewhere") {
     all.brush = {.radius = 60, .hardness = 0.9, .flow = 1};
     Stroke stroke(*std::get<PaintedLobe>(layer.lobe).image.raster, all, {0, 0, 1});
     stroke.move_to({1, 0, 0});
-    set_raster(layer, stroke.raster(), 1);
+    set_raster(layer, stroke.raster(), raster_mass(*std::get<PaintedLobe>(layer.lobe).image.raster), 1);
     CHECK(!layer.enabled);
     CHECK_NOTHROW(FacetDistribution{design});
 }

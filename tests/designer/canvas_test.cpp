@@ -6,6 +6,8 @@
 #include <string>
 
 #include "core/design/error.h"
+#include "core/paint/brush.h"
+#include "core/paint/raster_texels.h"
 #include "tests/designer/rig.h"
 #include "ui/canvas_path.h"
 
@@ -97,6 +99,63 @@ TEST_CASE("canvas: straighten brings the mean normal to n in one step, and then 
     CHECK(r.document().design == straight);
     r.play("key Ctrl+Z");
     CHECK(r.document().design == leaning);
+}
+
+TEST_CASE("canvas: balance brings the mean normal to n in one step, or tells why it cannot") {
+    Rig r;
+    Layer leaning;
+    leaning.tilt = 30;
+    leaning.weight = 0.3;
+    r.layer(0).lobe = GaussianLobe{0.4, 0.4};
+    r.document().design.distribution.layers.push_back(leaning);
+    r.document().commit();
+    const Design before = r.document().design;
+    r.play("frames 2\nclick \"Paint\"\nframes 2\nclick \"Balance\"\nframes 2");
+    const dvec3 mean = r.canvas().mean.value();
+    CHECK(std::hypot(mean.x, mean.y) < 1e-9);
+    CHECK(!r.canvas().refusal);
+    const Design balanced = r.document().design;
+    r.play("click \"Balance\"");
+    CHECK(r.document().design == balanced);
+    r.play("key Ctrl+Z\nframes 2");
+    CHECK(r.document().design == before);
+    r.layer(0).lobe = GaussianLobe{0.001, 0.001};
+    r.document().commit();
+    const Design one_sided = r.document().design;
+    r.play("frames 2\nclick \"Balance\"\nframes 2");
+    CHECK(r.document().design == one_sided);
+    REQUIRE(r.canvas().refusal);
+    CHECK(r.canvas().refusal->why ==
+          "next to nothing would be left of layer 2; Straighten turns all layers instead");
+}
+
+TEST_CASE("canvas: of a painted layer the highlight that is grabbed moves by 20 degrees, the other stays") {
+    Rig r;
+    r.play("click \"New painted layer\"\nclick \"Canvas\":@30,0\nframes 30\nclick \"Canvas\":@50,150");
+    const auto mean_around = [&](double theta, double phi) {
+        const Layer& layer = r.layer(1);
+        const dvec3 middle = ui::polar_direction(theta, phi);
+        const Raster& raster = *std::get<PaintedLobe>(layer.lobe).image.raster;
+        dvec3 sum{0};
+        visit_texels(raster.width, middle, 0.19, [&](std::size_t index, dvec3 h) {
+            if (glm::dot(h, middle) > std::cos(0.19)) sum += static_cast<double>(raster.values[index]) * h;
+        });
+        return sum;
+    };
+    const dvec3 before = mean_around(30, 0), other = mean_around(50, 150);
+    const double weight = r.layer(1).weight;
+    r.play("click \"Grab\"\nframes 30\ndrag \"Canvas\":@30,0 \"Canvas\":@50,0 7");
+    const dvec3 after = mean_around(50, 0);
+    // Each place of the pointer is a whole pixel, up to a fifth of a degree off.
+    CHECK(angle_between(glm::normalize(before), glm::normalize(after)) * 180 / 3.14159265358979 ==
+          doctest::Approx(20).epsilon(0.02));
+    CHECK(glm::length(after) == doctest::Approx(glm::length(before)).epsilon(2e-3));
+    CHECK(mean_around(50, 150) == other);
+    CHECK(glm::length(mean_around(30, 0)) < 1e-2 * glm::length(before));
+    CHECK(r.layer(1).weight == weight);
+    CHECK(r.layer(1).tilt == 0);
+    r.play("key Ctrl+Z");
+    CHECK(mean_around(30, 0) == before);
 }
 
 TEST_CASE("canvas: a layer shown alone is what is shown and baked") {

@@ -1,87 +1,218 @@
-// A painter who tries everything, in no order.
+// Sixty random actions in every test; NACRE_PAINTER_ACTIONS=2000 makes a painter's hour of it
+// (scripts/painters-hour runs that under the sanitizers).
 #include <doctest/doctest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "app/headless/stage.h"
 #include "core/design/design_file.h"
+#include "core/design/error.h"
+#include "core/exchange/image_file.h"
+#include "tests/core/random_directions.h"
+#include "tests/core/temporary_folder.h"
+#include "tests/designer/random_painter.h"
+#include "tests/designer/rig.h"
 
 using namespace nacre;
 
 namespace {
 
-// One random action as lines of a script.
-class Painter {
-  public:
-    explicit Painter(unsigned seed) : random_(seed) {}
+constexpr int usual_actions = 60;
+constexpr unsigned seed = 20260;
 
-    std::string act() {
-        static const std::vector<std::string> tools = {"Handles", "Grab",  "Paint", "Erase", "Smooth",
-                                                       "Smear",   "Stamp", "Line",  "Ring",  "Star"};
-        switch (pick(10)) {
-            case 0:
-                return "click \"" + tools[pick(tools.size())] + "\"\n";
-            case 1:
-                return "key Ctrl+Z\n";
-            case 2:
-                return "key Ctrl+Y\n";
-            case 3:
-                return pick(2) ? "key [\n" : "key ]\n";
-            case 4:
-                return pick(4) ? "move " + normal() + "\nwheel " + std::to_string(int(pick(9)) - 4) + "\n"
-                               : "click \"Dome\"\n";
-            case 5:
-                return "drag \"Preview\":" + fraction() + "," + fraction() + " \"Preview\":" + fraction() +
-                       "," + fraction() + " 3\n";
-            case 6:
-                return pick(3) ? "click \"Straighten\"\n" : "click \"New painted layer\"\n";
-            default:
-                return "drag " + normal() + " " + normal() + " " + std::to_string(1 + pick(4)) + "\n";
+int actions_wanted() {
+    const char* wanted = std::getenv("NACRE_PAINTER_ACTIONS");
+    return wanted ? std::max(std::atoi(wanted), usual_actions) : usual_actions;
+}
+
+// How often everything is checked.
+int checks_of(int actions) { return std::clamp(actions / 50, 2, 20); }
+
+double resident_mebibytes() {
+    std::ifstream statm("/proc/self/statm");
+    double pages = 0, resident = 0;
+    statm >> pages >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+std::filesystem::path noise_picture(const test::TemporaryFolder& folder, const char* name,
+                                    glm::dvec3 middle) {
+    constexpr int side = 48;
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    std::vector<float> rgb;
+    for (int i = 0; i < side * side; ++i)
+        for (int c = 0; c < 3; ++c)
+            rgb.push_back(static_cast<float>(std::clamp(middle[c] + 0.1 * normal(random), 0.0, 1.0)));
+    write_image(folder / name, {side, side}, rgb);
+    return folder / name;
+}
+
+class Hour {
+  public:
+    Hour()
+        : painter_(seed, {noise_picture(folder_, "normals.png", {0.5, 0.5, 0.9}),
+                          noise_picture(folder_, "heights.png", glm::dvec3(0.5))}) {}
+
+    // Up to the first line whose widget is not on the screen.
+    void act() {
+        const std::vector<std::string> lines = painter_.act();
+        for (const std::string& line : lines) {
+            CAPTURE(line);
+            rig_.play("frames 1");
+            if (!on_screen(line)) break;
+            rig_.play(line);
         }
+        // A question about a dropped picture, or why it was not taken.
+        for (const char* answer : {"Cancel", "OK"}) {
+            if (!rig_.designer().pictures.talking()) break;
+            rig_.play("frames 2");
+            const std::string line = "click \"" + std::string(answer) + "\"";
+            if (on_screen(line)) rig_.play(line);
+        }
+        rig_.play("key Escape");
+        REQUIRE(!rig_.designer().pictures.talking());
+        REQUIRE(!rig_.designer().files.talking());
+        check_numbers();
     }
+
+    void check_all() {
+        rig_.document().commit();
+        check_live();
+        check_picture();
+        check_undo(5);
+        const Design& design = rig_.document().design;
+        CHECK(parse_work(design_json(design, "."), "test", ".") == design);
+    }
+
+    // So many steps back and forth, or all there are; returns what was before them.
+    Design check_undo(std::size_t most) {
+        Document& document = rig_.document();
+        std::vector<Design> before = {document.design};
+        while (document.history.can_undo() && before.size() <= most) {
+            document.undo();
+            before.push_back(document.design);
+            rig_.play("frames 1");
+        }
+        for (std::size_t i = before.size() - 1; i-- > 0;) {
+            document.redo();
+            REQUIRE(document.design == before[i]);
+        }
+        rig_.play("frames 2");
+        return before.back();
+    }
+
+    test::Rig& rig() { return rig_; }
 
   private:
-    std::size_t pick(std::size_t count) { return random_() % count; }
-    std::string fraction() { return "0." + std::to_string(2 + pick(6)); }
-    std::string normal() {
-        return "\"Canvas\":@" + std::to_string(pick(95)) + "," + std::to_string(pick(360));
+    bool on_screen(const std::string& line) const {
+        if (line.starts_with("drop")) return true;
+        for (std::size_t begin = line.find('"'); begin != std::string::npos;) {
+            const std::size_t end = line.find('"', begin + 1);
+            if (!rig_.stage.items().rectangle(line.substr(begin + 1, end - begin - 1))) return false;
+            begin = line.find('"', end + 1);
+        }
+        return true;
     }
-    std::mt19937 random_;
-};
 
-}  // namespace
-
-TEST_CASE("painter: a hundred random actions leave a design that its file holds, and all can be undone") {
-    Stage stage({.size = {1280, 800}, .ui_scale = 1, .bake_threads = 1});
-    stage.frame();
-    stage.frame();
-    Document& document = stage.designer().document;
-    const Design before = document.design;
-    Painter painter(20260);
-    for (int i = 0; i < 100; ++i) {
-        const std::string action = painter.act();
-        CAPTURE(action);
-        // A button of another tool is not on the screen.
-        if (action.find("Straighten") != std::string::npos && !stage.items().rectangle("Straighten"))
-            continue;
-        stage.play(parse_events(action, "painter"));
-        for (const Layer& layer : document.design.distribution.layers) {
+    void check_numbers() {
+        for (const Layer& layer : rig_.layers()) {
             REQUIRE(std::isfinite(layer.weight));
             REQUIRE(layer.weight >= 0);
             REQUIRE(layer.weight <= limits::weight_max);
             REQUIRE(layer.tilt <= limits::tilt_max);
+            if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
+                for (const float value : painted->image.raster->values) {
+                    if (std::isfinite(value) && value >= 0) continue;
+                    FAIL("a picture holds a value that is none");
+                }
         }
     }
-    document.commit();
-    const Design painted = document.design;
-    CHECK(painted != before);
-    REQUIRE(document.history.can_undo());
-    CHECK(parse_design(design_json(painted, "."), "test", ".") == painted);
-    while (document.history.can_undo()) document.undo();
-    CHECK(document.design == before);
-    for (int i = 0; i < 100; ++i) document.redo();
-    CHECK(!document.history.can_redo());
+
+    // p that grew stroke by stroke against p made from the design.
+    void check_live() {
+        rig_.play("frames 1");
+        const FacetDistribution* live = rig_.designer().canvas.distribution();
+        std::optional<FacetDistribution> fresh;
+        try {
+            fresh.emplace(ui::shown(rig_.designer().layers, rig_.document().design.distribution));
+        } catch (const UserError&) {
+        }
+        REQUIRE((live != nullptr) == fresh.has_value());
+        if (!live) return;
+        CHECK(live->mean() == fresh->mean());
+        Random random(4);
+        for (int i = 0; i < 50; ++i) {
+            const dvec3 k = test::random_direction(random);
+            CHECK(live->density(k) == fresh->density(k));
+            CHECK(live->projected_area(k) == fresh->projected_area(k));
+        }
+    }
+
+    // What stands on the screen against what a canvas without a past draws.
+    void check_picture() {
+        const std::vector<std::uint8_t> shown = rested_picture();
+        CanvasPane& canvas = rig_.designer().canvas;
+        ui::CanvasState state = canvas.state;
+        std::destroy_at(&canvas);
+        std::construct_at(&canvas);
+        canvas.state = std::move(state);
+        const std::vector<std::uint8_t> anew = rested_picture();
+        REQUIRE(shown.size() == anew.size());
+        CHECK(std::equal(shown.begin(), shown.end(), anew.begin()));
+    }
+
+    // The canvas as it is once nothing moves, rows of pixels.
+    std::vector<std::uint8_t> rested_picture() {
+        rig_.play("move 2 2\nframes 20");
+        rig_.stage.frame();
+        const auto box = rig_.stage.items().rectangle("Canvas");
+        REQUIRE(box);
+        const std::vector<std::uint8_t> window = rig_.stage.pixels();
+        std::vector<std::uint8_t> canvas;
+        const auto breadth = static_cast<std::size_t>(rig_.stage.size().x);
+        for (auto y = static_cast<std::size_t>(box->y); y < static_cast<std::size_t>(box->w); ++y)
+            for (auto x = 4 * static_cast<std::size_t>(box->x); x < 4 * static_cast<std::size_t>(box->z); ++x)
+                canvas.push_back(window[4 * y * breadth + x]);
+        return canvas;
+    }
+
+    test::TemporaryFolder folder_;
+    test::Rig rig_;
+    test::RandomPainter painter_;
+};
+
+}  // namespace
+
+TEST_CASE("painter: random actions leave a design that its file holds, can be undone, and leak nothing") {
+    const int actions = actions_wanted(), checks = checks_of(actions);
+    Hour hour;
+    Document& document = hour.rig().document();
+    const Design before = document.design;
+    std::vector<double> resident;
+    for (int check = 1; check <= checks; ++check) {
+        const int begin = actions * (check - 1) / checks, end = actions * check / checks;
+        for (int i = begin; i < end; ++i) {
+            CAPTURE(i);
+            hour.act();
+        }
+        hour.check_all();
+        resident.push_back(resident_mebibytes());
+        if (actions > usual_actions)
+            MESSAGE("after " << end << " actions " << resident.back() << " MiB, "
+                             << document.design.distribution.layers.size() << " layers");
+    }
+    CHECK(document.design != before);
+    const Design first = hour.check_undo(History::steps_max + 1);
+    if (actions <= usual_actions) CHECK(first == before);
+    // The history is full by the middle of an hour.
+    if (actions >= 1000) CHECK(resident.back() < 1.1 * resident[resident.size() / 2 - 1] + 32);
 }

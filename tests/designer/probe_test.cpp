@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "core/paint/brush.h"
 #include "core/paint/raster_texels.h"
 #include "tests/designer/rig.h"
 
@@ -111,30 +112,72 @@ TEST_CASE("sphere: the brush paints the facets that light what is pointed at, an
     CHECK(r.designer().document.design.distribution.layers.size() == 1);
 }
 
-TEST_CASE("sphere: a highlight grabbed and dragged by 20 degrees moves by 20 degrees") {
-    Rig r;
-    r.play("wait\nclick \"Grab\"");
+namespace {
+
+constexpr double radians = 3.14159265358979 / 180;
+
+// Where the highlight is, and where the half vector has gone 20 degrees along a row of pixels.
+struct Drag {
+    glm::dvec3 begin, end;
+};
+
+Drag drag_by_twenty(Rig& r) {
     const Scene scene = r.designer().scene;
     const glm::vec4 box = r.box("Preview");
     const glm::ivec2 size(int(box.z - box.x), int(box.w - box.y));
-    const glm::dvec3 highlight = glm::normalize(light_direction(scene.light) + glm::dvec3(0, 0, 1));
     const double unit = pixels_per_unit(scene, size);
-    const glm::dvec2 from(std::round(0.5 * size.x + unit * highlight.x),
-                          std::round(0.5 * size.y - unit * highlight.y));
-    glm::dvec2 to = from;  // along a row until the half vector has gone 20 degrees
+    const glm::dvec3 there = glm::normalize(light_direction(scene.light) + glm::dvec3(0, 0, 1));
+    const glm::dvec2 from(std::round(0.5 * size.x + unit * there.x),
+                          std::round(0.5 * size.y - unit * there.y));
+    glm::dvec2 to = from;
     const glm::dvec3 begin = *half_vector(scene, from, size);
-    const double twenty = 20 * 3.14159265358979 / 180;
-    while (std::acos(glm::dot(*half_vector(scene, to, size), begin)) < twenty) to.x += 1;
+    while (std::acos(glm::dot(*half_vector(scene, to, size), begin)) < 20 * radians) to.x += 1;
     const auto place = [&](glm::dvec2 pixel) {
         return std::to_string(pixel.x + static_cast<double>(box.x)) + " " +
                std::to_string(pixel.y + static_cast<double>(box.y));
     };
     r.play("drag " + place(from) + " " + place(to) + " 10");
+    CHECK(r.designer().scene == scene);
+    return {begin, *half_vector(scene, to, size)};
+}
+
+}  // namespace
+
+TEST_CASE("sphere: a highlight grabbed and dragged by 20 degrees moves by 20 degrees") {
+    Rig r;
+    r.play("wait\nclick \"Grab\"");
+    drag_by_twenty(r);
     const Layer& layer = r.designer().document.design.distribution.layers[0];
     CHECK(layer.tilt == doctest::Approx(20).epsilon(0.03));
-    CHECK(r.designer().scene == scene);
     r.play("key Ctrl+Z\nframes 2");
     CHECK(r.designer().document.design.distribution.layers[0].tilt == 0);
+}
+
+TEST_CASE("sphere: a painted highlight grabbed and dragged by 20 degrees moves by 20 degrees") {
+    Rig r;
+    const auto& layers = r.designer().document.design.distribution.layers;
+    r.play("wait\nclick \"New painted layer\"\nclick \"Canvas\":@0,0\nframes 30\nclick \"Canvas\":@60,90");
+    const auto raster = [&] { return *std::get<PaintedLobe>(layers[1].lobe).image.raster; };
+    const Raster before = raster();
+    r.play("click \"Layer 1 enabled\"\nclick \"Grab\"\nframes 30");
+    const Drag drag = drag_by_twenty(r);
+    const auto value = [](const Raster& of, glm::dvec3 h) {
+        return raster_value(of.values, of.width, disk_point(h));
+    };
+    const Raster after = raster();
+    const glm::dmat3 turn = shortest_rotation(drag.begin, drag.end);
+    // Read between texels, the picture there is the one that was here.
+    for (const double theta : {0.0, 2.0, 4.0, 6.0})
+        for (const double phi : {0.0, 90.0, 210.0}) {
+            const double sine = std::sin(theta * radians);
+            const glm::dvec3 h(sine * std::cos(phi * radians), sine * std::sin(phi * radians),
+                               std::cos(theta * radians));
+            CHECK(value(after, turn * h) == doctest::Approx(value(before, h)).epsilon(0.03));
+        }
+    CHECK(value(after, {0, 0, 1}) == 0);
+    const glm::dvec3 other(0, std::sin(60 * radians), std::cos(60 * radians));
+    CHECK(value(after, other) == value(before, other));
+    CHECK(value(before, other) > 0.3);
 }
 
 TEST_CASE("probe: what is pointed at on one side is known on the other") {
