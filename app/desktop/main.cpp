@@ -41,7 +41,7 @@ void run(const Arguments& arguments) {
     nacre::KeyLatch keys(window.handle());
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     {
-        nacre::Designer designer;
+        nacre::Designer designer(0, nacre::Window::wake);
         designer.document = std::move(document);
         nacre::Pace pace;
         reached("designer");
