@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
     options.add_option("DESIGN", arguments.design, "a .nacre file to open");
     options.add_option("--ui-scale", arguments.ui_scale, "size of text and widgets; 1 is normal")
         ->check(CLI::Range(0.5, 4.0));
+    options.set_version_flag("--version", NACRE_VERSION);
     // For tests/bench/start.sh: ends with the first shaded picture and prints when it came.
     options.add_flag("--time-start", arguments.time_start)->group("");
     try {
