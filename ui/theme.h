@@ -34,7 +34,7 @@ void apply_theme(float scale);
 // The heavier face for headings.
 ImFont* heading_font();
 
-// Breadth of a side panel for the current scale, pixels.
-float panel_width();
+// A length that is `pixels` at a scale of 1, at the current scale.
+float scaled(float pixels);
 
 }  // namespace nacre::ui

@@ -56,7 +56,7 @@ bool number(const SliderSpec& spec, const std::string& name, double& value) {
 }  // namespace
 
 void tooltip(const char* text) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(8)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tooltip_ems);
     ImGui::TextUnformatted(text);

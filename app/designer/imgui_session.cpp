@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-ImguiSession::ImguiSession(float ui_scale) {
+ImguiSession::ImguiSession(float ui_scale) : ui_scale_(ui_scale) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -22,6 +22,14 @@ ImguiSession::ImguiSession(float ui_scale) {
 ImguiSession::~ImguiSession() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();
+}
+
+void ImguiSession::set_scale(float ui_scale) {
+    if (ui_scale == ui_scale_) return;
+    ui_scale_ = ui_scale;
+    ui::apply_theme(ui_scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void ImguiSession::new_frame() const { ImGui_ImplOpenGL3_NewFrame(); }

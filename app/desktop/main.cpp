@@ -37,7 +37,7 @@ void run(const Arguments& arguments) {
                                    std::filesystem::absolute(arguments.design));
     nacre::Window window({1280, 800}, "Nacre");
     reached("window");
-    const nacre::ImguiSession session(arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale());
+    nacre::ImguiSession session(arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale());
     nacre::KeyLatch keys(window.handle());
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     {
@@ -49,6 +49,7 @@ void run(const Arguments& arguments) {
             const bool due = pace.wait(nacre::in_motion(designer));
             if (window.take_close_request()) nacre::perform(designer, nacre::ui::Command::quit);
             if (!due) continue;
+            if (arguments.ui_scale <= 0) session.set_scale(window.monitor_scale());
             session.new_frame();
             ImGui_ImplGlfw_NewFrame();
             keys.press_missed();
