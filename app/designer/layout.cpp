@@ -14,9 +14,9 @@
 namespace nacre {
 namespace {
 
-constexpr float panel_least = 17, panel_most = 40;        // text sizes, ...
-constexpr float panel_most_part = 0.4f;                   // ... and of the window's breadth
-constexpr float canvas_least = 0.2f, canvas_most = 0.8f;  // of the breadth beside the panel
+constexpr float panel_least = 20, panel_most = 40;         // text sizes, ...
+constexpr float panel_most_part = 0.4f;                    // ... and of the window's breadth
+constexpr float canvas_least = 0.25f, canvas_most = 0.8f;  // of the breadth beside the panel
 constexpr float grip_ems = 0.55f;  // breadth of what takes hold of a border, text sizes
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
