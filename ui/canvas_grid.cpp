@@ -17,10 +17,18 @@ constexpr Colour plain{1, 1, 1, 0.19f};
 constexpr Colour rim{1, 1, 1, 0.42f};
 constexpr float label_size = 0.8f;  // of the text's size
 
-void label(ImVec2 at, const std::string& text, const Colour& colour) {
+// `corner` with all of a text of this extent between low and high.
+float kept_inside(float corner, float extent, float low, float high) {
+    return std::max(std::min(corner, high - extent - scaled(2)), low + scaled(2));
+}
+
+// All of it shows, also beside the canvas's edge, where its middle does.
+void label(const CanvasFrame& frame, ImVec2 at, const std::string& text, const Colour& colour) {
     const float size = ImGui::GetFontSize() * label_size;
     const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, text.c_str());
-    const ImVec2 corner(std::round(at.x - extent.x / 2), std::round(at.y - extent.y / 2));
+    if (at.x < frame.low.x || at.y < frame.low.y || at.x > frame.high.x || at.y > frame.high.y) return;
+    const ImVec2 corner(std::round(kept_inside(at.x - extent.x / 2, extent.x, frame.low.x, frame.high.x)),
+                        std::round(kept_inside(at.y - extent.y / 2, extent.y, frame.low.y, frame.high.y)));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     // A dark edge keeps the numbers readable on a bright p.
     for (const ImVec2 off : {ImVec2(1, 0), {-1, 0}, {0, 1}, {0, -1}})
@@ -44,7 +52,7 @@ void label_spoke(const CanvasFrame& frame, int phi, double end) {
     if (length < 1) return;
     const float gap = ImGui::GetFontSize() * 0.95f;
     const std::string name = phi == 0 ? "x" : phi == 90 ? "y" : std::to_string(phi) + "\u00b0";
-    label({at.x + x / length * gap, at.y + y / length * gap}, name, palette::text_dim);
+    label(frame, {at.x + x / length * gap, at.y + y / length * gap}, name, palette::text_dim);
 }
 
 }  // namespace
@@ -66,7 +74,8 @@ void draw_grid(const CanvasFrame& frame) {
     for (int phi = 0; phi < 360; phi += 30) label_spoke(frame, phi, outermost);
     for (int theta = 30; theta < end; theta += 30) {
         const dvec3 h = polar_direction(theta, 45);
-        if (!frame.view.hidden(h)) label(frame.screen(h), std::to_string(theta) + "\u00b0", palette::text);
+        if (!frame.view.hidden(h))
+            label(frame, frame.screen(h), std::to_string(theta) + "\u00b0", palette::text);
     }
 }
 

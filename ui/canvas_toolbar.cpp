@@ -203,8 +203,8 @@ void handles_row(CanvasState& state, Distribution& distribution) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
-    ImGui::TextUnformatted(state.tool == CanvasTool::grab ? "Drag a highlight, here or on the sphere."
-                                                          : "Drag a lobe's middle, ends or outline.");
+    ImGui::TextWrapped("%s", state.tool == CanvasTool::grab ? "Drag a highlight, here or on the sphere."
+                                                            : "Drag a lobe's middle, ends or outline.");
     ImGui::PopStyleColor();
 }
 
@@ -229,7 +229,7 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
     for (const ToolEntry& entry : tools) {
         if (!first)
             flow(ImGui::GetFrameHeight(),
-                 entry.tool == CanvasTool::paint || entry.tool == CanvasTool::line ? 8.0f : 2.0f);
+                 entry.tool == CanvasTool::paint || entry.tool == CanvasTool::line ? scaled(8) : scaled(2));
         first = false;
         tool_button(state, entry);
     }

@@ -70,7 +70,7 @@ void title(const std::string& text) {
 
 std::optional<Command> menu_bar(const MenuState& state) {
     std::optional<Command> chosen;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(14, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(scaled(14), scaled(8)));
     if (ImGui::BeginMainMenuBar()) {
         file_menu(chosen);
         edit_menu(state, chosen);

@@ -42,7 +42,7 @@ bool entry_list(FileDialog& dialog, const ListDirectory& list) {
     bool accepted = false;
     fs::path folder;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::canvas);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(8), scaled(6)));
     const float height = -(2 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
                            ImGui::GetStyle().ItemSpacing.y);
     ImGui::BeginChild("entries", ImVec2(0, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
@@ -131,7 +131,7 @@ DialogAnswer file_dialog(FileDialog& dialog, const ListDirectory& list, fs::path
     ImGui::SetNextWindowPos(viewport.GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSize(
         ImVec2(std::min(size * 40, viewport.Size.x * 0.9f), std::min(size * 30, viewport.Size.y * 0.85f)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(18, 16));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(18), scaled(16)));
     const bool open =
         ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
     ImGui::PopStyleVar();

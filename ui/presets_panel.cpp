@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "ui/list_row.h"
+#include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -11,7 +12,7 @@ std::optional<std::size_t> presets_panel(std::span<const std::string> names,
                                          std::optional<std::size_t> current) {
     std::optional<std::size_t> clicked;
     if (names.empty()) dim_text("No presets were found.");
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 3));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, scaled(3)));
     for (std::size_t i = 0; i < names.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (list_row(("Preset " + names[i]).c_str(),

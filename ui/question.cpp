@@ -16,9 +16,9 @@ std::optional<int> question(const char* title, const std::string& text,
     const float button_width = ImGui::GetFontSize() * 7;
     const auto count = static_cast<float>(buttons.size());
     const float total = count * button_width + (count - 1) * ImGui::GetStyle().ItemSpacing.x;
-    const float width = std::max(ImGui::GetFontSize() * 28, total + 36);
+    const float width = std::max(ImGui::GetFontSize() * 28, total + scaled(36));
     ImGui::SetNextWindowSize(ImVec2(width, 0));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(18, 16));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(18), scaled(16)));
     const bool open =
         ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
     ImGui::PopStyleVar();

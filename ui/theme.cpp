@@ -8,8 +8,7 @@
 namespace nacre::ui {
 namespace {
 
-constexpr float text_size = 15;     // pixels at scale 1
-constexpr float panel_ems = 21.5f;  // breadth of a side panel in text sizes
+constexpr float text_size = 15;  // pixels at scale 1
 
 // What labels, file names and layer names of most European languages need, with the signs of the
 // mathematics: Greek, arrows, operators, shapes.
@@ -121,6 +120,6 @@ void apply_theme(float scale, float pixels) {
 
 ImFont* heading_font() { return ImGui::GetIO().Fonts->Fonts.back(); }
 
-float panel_width() { return std::round(panel_ems * ImGui::GetFontSize()); }
+float scaled(float pixels) { return std::round(pixels * ImGui::GetFontSize() / text_size); }
 
 }  // namespace nacre::ui

@@ -35,7 +35,7 @@ void apply_theme(float scale, float pixels = 1);
 // The heavier face for headings.
 ImFont* heading_font();
 
-// Breadth of a side panel for the current scale, pixels.
-float panel_width();
+// A length that is `pixels` at a scale of 1, at the current scale.
+float scaled(float pixels);
 
 }  // namespace nacre::ui

@@ -23,7 +23,7 @@ std::string hidden(const char* label) { return "##" + std::string(item_name(labe
 }  // namespace
 
 void tooltip(const char* text) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(8)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tooltip_ems);
     ImGui::TextUnformatted(text);

@@ -50,11 +50,13 @@ std::string plain_words(const std::exception_ptr& error) {
 
 }  // namespace
 
-BakeJob::BakeJob(int threads)
-    : job_([this, threads](const BakeRequest& request, const std::stop_token& stop,
-                           const Job::Publish& publish) {
-          bake_twice(baker_, drafted_, request, stop, publish, threads);
-      }) {}
+BakeJob::BakeJob(int threads, std::function<void()> notify)
+    : job_(
+          [this, threads](const BakeRequest& request, const std::stop_token& stop,
+                          const Job::Publish& publish) {
+              bake_twice(baker_, drafted_, request, stop, publish, threads);
+          },
+          std::move(notify)) {}
 
 void BakeJob::want(const BakeRequest& request) {
     if (wanted_ == request) return;

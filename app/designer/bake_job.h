@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,7 +23,8 @@ struct BakeRequest {
 
 class BakeJob {
   public:
-    explicit BakeJob(int threads);
+    // `notify` is called on the worker's thread when there is something to poll, and when it falls idle.
+    explicit BakeJob(int threads, std::function<void()> notify = {});
 
     // Starts a bake unless this is what was asked for last.
     void want(const BakeRequest& request);

@@ -17,9 +17,10 @@
 namespace nacre {
 namespace {
 
-constexpr double rest_seconds = 0.2;               // of a held button without a change of p
-constexpr std::chrono::milliseconds patience{25};  // for a draft, while nothing else is drawn
-constexpr double probe_radius = 3;                 // degrees of normals that glow while nothing is painted
+constexpr double rest_seconds = 0.2;                      // of a held button without a change of p
+constexpr std::chrono::milliseconds patience{25};         // for a draft, while nothing else is drawn
+constexpr std::chrono::milliseconds first_patience{500};  // frames without a picture would only delay it
+constexpr double probe_radius = 3;  // degrees of normals that glow while nothing is painted
 
 void draw_presets(Designer& designer) {
     std::vector<std::string> names;
@@ -109,7 +110,8 @@ void ask(Designer& designer) {
 
 // A draft that comes within a moment is seen in the very frame of the edit that it answers.
 void follow_bake(Designer& designer) {
-    if (auto tables = designer.baker.poll(patience)) {
+    const auto longest = designer.preview.has_picture() ? patience : first_patience;
+    if (auto tables = designer.baker.poll(longest)) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }
@@ -117,10 +119,13 @@ void follow_bake(Designer& designer) {
 
 }  // namespace
 
-Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets(presets_folder())) {}
+Designer::Designer(int bake_threads, std::function<void()> wake)
+    : baker(bake_threads, std::move(wake)), presets(list_presets(presets_folder())) {}
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;
+    // The first tables are baked while the rest of the first frame is drawn.
+    if (!designer.preview.has_picture()) ask(designer);
     if (!designer.files.talking() && !designer.pictures.talking())
         if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
     const ui::MenuState menu{.can_undo = document.history.can_undo(),
@@ -179,6 +184,6 @@ void perform(Designer& designer, ui::Command command) {
     }
 }
 
-bool in_motion(const Designer& designer) { return designer.baker.busy(); }
+bool in_motion(const Designer& designer) { return !designer.settled; }
 
 }  // namespace nacre

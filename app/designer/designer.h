@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@
 namespace nacre {
 
 struct Designer {
-    // 0 threads: as many as the machine has. The worker gives way to drawing by its nice level.
-    explicit Designer(int bake_threads = 0);
+    // 0 threads: as many as the machine has. The worker gives way to drawing by its nice level, and
+    // calls `wake` on its own thread when a frame would show something new.
+    explicit Designer(int bake_threads = 0, std::function<void()> wake = {});
 
     Document document;
     Scene scene;
@@ -45,7 +47,7 @@ void draw_frame(Designer& designer);
 
 void perform(Designer& designer, ui::Command command);
 
-// Whether the next frame will differ without any input.
+// Whether the next frame will differ without any input or call of `wake`.
 bool in_motion(const Designer& designer);
 
 }  // namespace nacre

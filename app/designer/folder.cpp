@@ -67,7 +67,7 @@ std::vector<Preset> list_presets(const fs::path& folder) {
 fs::path presets_folder() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const char* candidate : {"../../presets", "../share/nacre/presets"})
+    for (const char* candidate : {"../share/nacre/presets", "../../presets"})
         if (fs::is_directory(program / candidate, error)) return (program / candidate).lexically_normal();
     return {};
 }

@@ -19,7 +19,7 @@ struct Preset {
 
 std::vector<Preset> list_presets(const std::filesystem::path& folder);
 
-// Beside the program: in the source tree it was built from, or below share/ where it was installed.
+// Seen from the program: below share/ where it is installed, else in the source tree it was built from.
 std::filesystem::path presets_folder();
 
 }  // namespace nacre

@@ -8,7 +8,8 @@
 
 namespace nacre {
 
-ImguiSession::ImguiSession(float ui_scale, float pixels_a_unit) {
+ImguiSession::ImguiSession(float ui_scale, float pixels_a_unit)
+    : ui_scale_(ui_scale), pixels_a_unit_(pixels_a_unit) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -22,6 +23,15 @@ ImguiSession::ImguiSession(float ui_scale, float pixels_a_unit) {
 ImguiSession::~ImguiSession() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();
+}
+
+void ImguiSession::set_scale(float ui_scale, float pixels_a_unit) {
+    if (ui_scale == ui_scale_ && pixels_a_unit == pixels_a_unit_) return;
+    ui_scale_ = ui_scale;
+    pixels_a_unit_ = pixels_a_unit;
+    ui::apply_theme(ui_scale, pixels_a_unit);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void ImguiSession::new_frame() const { ImGui_ImplOpenGL3_NewFrame(); }

@@ -4,53 +4,97 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "ui/item_map.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace nacre {
 namespace {
 
-constexpr float panel_most = 0.4f;                        // of the window's breadth
-constexpr float canvas_least = 0.2f, canvas_most = 0.8f;  // of the breadth beside the panel
-constexpr float canvas_usual = 0.5f;
+constexpr float panel_least = 20, panel_most = 40;         // text sizes, ...
+constexpr float panel_most_part = 0.4f;                    // ... and of the window's breadth
+constexpr float canvas_least = 0.25f, canvas_most = 0.8f;  // of the breadth beside the panel
+constexpr float grip_ems = 0.55f;  // breadth of what takes hold of a border, text sizes
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                                   ImGuiWindowFlags_NoSavedSettings;
+// Lies beneath what does not have this flag.
+constexpr ImGuiWindowFlags beneath = ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-// The breadths that the right border of a column can be dragged to.
-struct Breadth {
-    float now, least, most;
+struct Column {
+    float left, top, breadth, height;
 };
 
-// A column of the window. Returns its breadth.
-float column(const char* name, float left, float top, float height, const Breadth& breadth,
-             const std::function<void()>& contents) {
-    ImGui::SetNextWindowPos(ImVec2(left, top));
-    ImGui::SetNextWindowSize(ImVec2(breadth.now, height),
-                             ImGui::IsAnyMouseDown() ? ImGuiCond_Once : ImGuiCond_Always);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(breadth.least, height), ImVec2(breadth.most, height));
-    ImGui::Begin(name, nullptr, fixed | ImGuiWindowFlags_NoScrollWithMouse * (breadth.least == breadth.most));
+void draw_column(const char* name, const Column& column, const std::function<void()>& contents) {
+    ImGui::SetNextWindowPos(ImVec2(column.left, column.top));
+    ImGui::SetNextWindowSize(ImVec2(column.breadth, column.height));
+    ImGui::Begin(name, nullptr, fixed | beneath);
     contents();
-    const float now = ImGui::GetWindowWidth();
     ImGui::End();
-    return now;
 }
 
 // A column that a picture fills to its edges.
-float picture_column(const char* name, float left, float top, float height, const Breadth& breadth,
-                     const std::function<void()>& contents) {
+void draw_picture_column(const char* name, const Column& column, const std::function<void()>& contents) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     // The session has cleared the window to the canvas's colour: filling it once more takes time in vain.
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::Colour{0, 0, 0, 0});
-    const float now = column(name, left, top, height, breadth, [&] {
+    draw_column(name, column, [&] {
         ImGui::PopStyleVar();
         contents();
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     });
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
-    return now;
+}
+
+// The border at the left of a picture column: where it is dragged to, or `usual` by a double click.
+std::optional<float> draw_border(const char* name, const Column& column, float usual) {
+    const float breadth = std::round(grip_ems * ImGui::GetFontSize());
+    ImGui::SetNextWindowPos(ImVec2(column.left, column.top));
+    ImGui::SetNextWindowSize(ImVec2(breadth, column.height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::Begin(name, nullptr,
+                 fixed | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleVar(2);
+    ImGui::InvisibleButton(name, ImVec2(breadth, column.height));
+    ui::note_item(name);
+    ui::tooltip_for_item("Drag to give one side more room; a double click sets it back.");
+    std::optional<float> moved;
+    if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0)
+        moved = ImGui::GetIO().MousePos.x - breadth / 2;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) moved = usual;
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        const float line = std::max(1.0f, std::round(ImGui::GetFontSize() / 8));
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            ImVec2(column.left, column.top), ImVec2(column.left + line, column.top + column.height),
+            ImGui::GetColorU32(ImGui::IsItemActive() ? ui::palette::accent : ui::palette::line));
+    }
+    ImGui::End();
+    return moved;
+}
+
+void draw_columns(Layout& layout, const Parts& parts, ImVec2 window, float top, float height) {
+    const Layout usual;
+    const float em = ImGui::GetFontSize();
+    const float widest = std::max(window.x * panel_most_part, 1.0f);
+    const auto panel_breadth = [&](float ems) { return std::min(std::round(ems * em), widest); };
+    const float panel = panel_breadth(layout.panel), beside = std::max(window.x - panel, 2.0f);
+    const float breadth = std::round(beside * std::clamp(layout.canvas, canvas_least, canvas_most));
+    const Column canvas{panel, top, breadth, height};
+    const Column preview{panel + breadth, top, std::max(beside - breadth, 1.0f), height};
+    draw_column("Panel", {0, top, panel, height}, parts.panel);
+    draw_picture_column("CanvasColumn", canvas, parts.canvas);
+    draw_picture_column("PreviewColumn", preview, parts.preview);
+    if (const auto x = draw_border("Panel border", canvas, panel_breadth(usual.panel)))
+        layout.panel = std::clamp(*x / em, panel_least, panel_most);
+    if (const auto x = draw_border("Canvas border", preview, panel + beside * usual.canvas))
+        layout.canvas = std::clamp((*x - panel) / beside, canvas_least, canvas_most);
 }
 
 }  // namespace
@@ -59,20 +103,7 @@ void draw_layout(Layout& layout, const Parts& parts) {
     const ImVec2 window = ImGui::GetMainViewport()->Size;
     const float top = ImGui::GetFrameHeight();
     const float bottom = ui::status_height();
-    const float height = std::max(window.y - top - bottom, 1.0f);
-    if (layout.panel <= 0) {
-        layout.panel = ui::panel_width();
-        layout.canvas = canvas_usual;
-    }
-    const float most = std::max(window.x * panel_most, 1.0f);
-    const Breadth panel{layout.panel, std::min(ui::panel_width() * 0.8f, most), most};
-    layout.panel = column("Panel", 0, top, height, panel, parts.panel);
-    const float beside = std::max(window.x - layout.panel, 2.0f);
-    const Breadth canvas{std::round(beside * layout.canvas), beside * canvas_least, beside * canvas_most};
-    const float breadth = picture_column("CanvasColumn", layout.panel, top, height, canvas, parts.canvas);
-    if (std::abs(breadth - canvas.now) > 0.5f) layout.canvas = breadth / beside;
-    const float left = layout.panel + breadth, rest = std::max(window.x - left, 1.0f);
-    picture_column("PreviewColumn", left, top, height, {rest, rest, rest}, parts.preview);
+    draw_columns(layout, parts, window, top, std::max(window.y - top - bottom, 1.0f));
 
     ImGui::SetNextWindowPos(ImVec2(0, window.y - bottom));
     ImGui::SetNextWindowSize(ImVec2(window.x, bottom));
@@ -80,7 +111,7 @@ void draw_layout(Layout& layout, const Parts& parts) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                         ImVec2(ImGui::GetStyle().WindowPadding.x, ImGui::GetFontSize() * 0.42f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::Begin("Status", nullptr, fixed | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar);
+    ImGui::Begin("Status", nullptr, fixed | beneath | ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar(2);
     parts.status();
     ImGui::End();

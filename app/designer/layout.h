@@ -6,9 +6,11 @@
 
 namespace nacre {
 
+// Where the borders stand, for windows and scales of any size: all that is worth keeping between runs.
 struct Layout {
-    float panel = 0;   // breadth, pixels; 0 until the first frame
-    float canvas = 0;  // part of the breadth beside the panel
+    float panel = 21.5f;  // breadth in text sizes
+    float canvas = 0.5f;  // part of the breadth beside the panel
+    bool operator==(const Layout&) const = default;
 };
 
 struct Parts {
@@ -18,7 +20,8 @@ struct Parts {
     std::function<void()> status;
 };
 
-// Draws each part in a Dear ImGui window of its own.
+// Draws each part in a Dear ImGui window of its own. Only a dragged border changes `layout`: a window too
+// small for it shows what fits and gives it back when it grows.
 void draw_layout(Layout& layout, const Parts& parts);
 
 }  // namespace nacre

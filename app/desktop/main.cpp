@@ -14,6 +14,7 @@
 #include "app/designer/imgui_session.h"
 #include "app/desktop/key_latch.h"
 #include "app/desktop/pace.h"
+#include "app/desktop/start_report.h"
 #include "app/desktop/window.h"
 #include "core/design/design_file.h"
 
@@ -22,26 +23,36 @@ namespace {
 struct Arguments {
     std::string design;
     float ui_scale = 0;  // 0: the monitor's
+    bool time_start = false;
 };
 
 void run(const Arguments& arguments) {
+    const auto reached = [&](const char* stage) {
+        if (arguments.time_start) nacre::report_stage(stage);
+    };
+    reached("main");
     nacre::Document document;
     if (!arguments.design.empty())
         document =
             nacre::Document(nacre::load_work(arguments.design), std::filesystem::absolute(arguments.design));
     nacre::Window window({1280, 800}, "Nacre");
-    const nacre::ImguiSession session(arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale(),
-                                      window.pixels_a_unit());
+    reached("window");
+    const auto ui_scale = [&] {
+        return arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale();
+    };
+    nacre::ImguiSession session(ui_scale(), window.pixels_a_unit());
     nacre::KeyLatch keys(window.handle());
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     {
-        nacre::Designer designer;
+        nacre::Designer designer(0, nacre::Window::wake);
         designer.document = std::move(document);
         nacre::Pace pace;
+        reached("designer");
         while (!designer.files.may_quit()) {
             const bool due = pace.wait(nacre::in_motion(designer));
             if (window.take_close_request()) nacre::perform(designer, nacre::ui::Command::quit);
             if (!due) continue;
+            session.set_scale(ui_scale(), window.pixels_a_unit());
             session.new_frame();
             ImGui_ImplGlfw_NewFrame();
             keys.press_missed();
@@ -52,8 +63,10 @@ void run(const Arguments& arguments) {
             ImGui::Render();
             session.draw(window.framebuffer_size());
             window.swap();
+            if (arguments.time_start && designer.preview.has_picture()) break;
             window.set_title(designer.document.title() + " \u2013 Nacre");
         }
+        reached("picture");
     }
     ImGui_ImplGlfw_Shutdown();
 }
@@ -66,6 +79,9 @@ int main(int argc, char** argv) {
     options.add_option("DESIGN", arguments.design, "a .nacre file to open");
     options.add_option("--ui-scale", arguments.ui_scale, "size of text and widgets; 1 is normal")
         ->check(CLI::Range(0.5, 4.0));
+    options.set_version_flag("--version", NACRE_VERSION);
+    // For tests/bench/start.sh: ends with the first shaded picture and prints when it came.
+    options.add_flag("--time-start", arguments.time_start)->group("");
     try {
         options.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

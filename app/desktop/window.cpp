@@ -76,4 +76,6 @@ bool Window::take_close_request() {
 
 void Window::swap() { glfwSwapBuffers(window_); }
 
+void Window::wake() { glfwPostEmptyEvent(); }
+
 }  // namespace nacre

@@ -29,6 +29,9 @@ class Window {
     bool take_close_request();
     void swap();
 
+    // Ends the wait for events, from any thread.
+    static void wake();
+
   private:
     GLFWwindow* window_ = nullptr;
     std::string title_;

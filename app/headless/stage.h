@@ -30,6 +30,9 @@ class Stage {
     Designer& designer() { return *designer_; }
     const ui::ItemMap& items() const { return items_; }
 
+    // As if the window came to another monitor.
+    void set_scale(float ui_scale, float pixels_a_unit = 1) { session_.set_scale(ui_scale, pixels_a_unit); }
+
     // One frame of a sixtieth of a second with the present input; `rasterise` false leaves out the
     // last step, the drawing of the interface's triangles.
     void frame(bool rasterise = true);

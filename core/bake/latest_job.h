@@ -31,8 +31,11 @@ class LatestJob {
         std::exception_ptr error;
     };
 
-    explicit LatestJob(Work work)
-        : work_(std::move(work)), thread_([this](std::stop_token closing) { loop(closing); }) {}
+    // `notify` is called on the worker's thread after each publication, and when nothing more is to come.
+    explicit LatestJob(Work work, std::function<void()> notify = {})
+        : work_(std::move(work)),
+          notify_(std::move(notify)),
+          thread_([this](std::stop_token closing) { loop(closing); }) {}
 
     LatestJob(const LatestJob&) = delete;
     LatestJob& operator=(const LatestJob&) = delete;
@@ -93,6 +96,10 @@ class LatestJob {
             running_ = false;
             running_has_published_ = false;
             changed_.notify_all();
+            if (waiting_ || !notify_) continue;
+            lock.unlock();
+            notify_();
+            lock.lock();
         }
     }
 
@@ -109,14 +116,18 @@ class LatestJob {
     }
 
     void publish(Published published) {
-        const std::lock_guard lock(mutex_);
-        newest_ = std::move(published);
-        running_has_published_ = true;
-        changed_.notify_all();
-        if (waiting_) running_stop_.request_stop();
+        {
+            const std::lock_guard lock(mutex_);
+            newest_ = std::move(published);
+            running_has_published_ = true;
+            changed_.notify_all();
+            if (waiting_) running_stop_.request_stop();
+        }
+        if (notify_) notify_();
     }
 
     const Work work_;
+    const std::function<void()> notify_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
     std::optional<Request> waiting_;

@@ -135,6 +135,14 @@ picture 6-undone
 grep -q '"lobe": "painted"' "$work/edited.nacre" || fail 'nothing was painted'
 cmp -s "$work/edited.nacre" "$work/undone.nacre" && fail 'the drag or the undo changed nothing'
 
+# Nobody touches it: two seconds of its own thread, which draws, in ticks.                            (proc(5))
+ticks() { sed 's/.*) //' "/proc/$pid/task/$pid/stat" | awk '{ print $12 + $13 }'; }
+pause 3
+idle=$(ticks)
+pause 2
+idle=$(($(ticks) - idle))
+[ $((100 * idle)) -le $((2 * 2 * $(getconf CLK_TCK))) ] || fail "left alone it takes $idle ticks in two seconds"
+
 xdotool key --clearmodifiers ctrl+q
 for _ in $(seq 50); do
     kill -0 "$pid" 2>/dev/null || break

@@ -19,6 +19,7 @@ opengl='# *include *[<"](GL|GLES[23]?|EGL|GLFW|OSMesa)/|\bgl(Gen|Bind|Draw|Tex|U
 imgui='# *include *[<"]imgui|\bImGui::'
 glfw='# *include *[<"]GLFW|\bglfw[A-Z]'
 files='# *include *[<"](fstream|cstdio|iostream|unistd\.h|fcntl\.h)|\b(std::)?(ifstream|ofstream|fstream|fopen|freopen)\b|filesystem::(exists|remove|rename|directory_iterator|create_directories|status|is_directory|current_path)|\bfs::(exists|remove|rename|directory_iterator|create_directories|status|is_directory|current_path)'
+pictures='# *include *[<"]OpenImageIO/'
 glsl='void main *\( *\)|gl_Frag(Color|Coord)|gl_Position|texelFetch|layout *\( *location'
 
 forbid core 'knows no OpenGL' "$opengl"
@@ -36,6 +37,9 @@ forbid app/headless 'knows no window' "$glfw"
 forbid app/cli 'knows no window' "$glfw"
 forbid core 'holds no shader text: it stands in shaders/' "$glsl"
 forbid ui 'holds no shader text: it stands in shaders/' "$glsl"
+for room in core/bake core/design core/exchange core/measure core/model core/paint ui app; do
+    forbid $room 'reads and writes pictures through core/pictures alone' "$pictures"
+done
 forbid app 'holds no shader text: it stands in shaders/' "$glsl"
 
 exit $wrong

@@ -35,6 +35,27 @@ TEST_CASE("LatestJob: a result carries the revision of its request") {
     CHECK(job.submit(1) > first);
 }
 
+TEST_CASE("LatestJob: tells of each publication and of its end, when both can be seen") {
+    std::atomic<int> told = 0, published = 0;
+    std::promise<void> idle;
+    Job* seen = nullptr;
+    Job job(
+        [](int request, const std::stop_token&, const Job::Publish& publish) {
+            publish(request);
+            publish(request + 1);
+        },
+        [&] {
+            ++told;
+            if (seen->poll()) ++published;
+            if (!seen->busy()) idle.set_value();
+        });
+    seen = &job;
+    job.submit(1);
+    idle.get_future().wait();
+    CHECK(told == 3);
+    CHECK(published == 2);
+}
+
 TEST_CASE("LatestJob: the newest request replaces a waiting one") {
     std::promise<void> gate;
     const std::shared_future<void> open = gate.get_future().share();

@@ -1,0 +1,65 @@
+// The functions of picture.h and image_file.h that need OpenImageIO: each loads the library of core/pictures
+// when it is first called, and passes the call on.
+#include <dlfcn.h>
+
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "core/exchange/image_file.h"
+#include "core/exchange/picture.h"
+#include "core/pictures/picture_module.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* library_name = "libnacre-pictures.so";
+
+// Beside the program in the build tree, below lib/ where it is installed.
+fs::path library_file() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const std::array<fs::path, 2> candidates{program / library_name,
+                                             program / NACRE_PRIVATE_LIBRARIES / library_name};
+    for (const fs::path& candidate : candidates)
+        if (fs::exists(candidate, error)) return candidate.lexically_normal();
+    throw std::runtime_error(std::string(library_name) + ", which reads and writes pictures, is missing at " +
+                             candidates.back().lexically_normal().string());
+}
+
+// Stays loaded for as long as the program runs.
+const PictureModule* load_module() {
+    const fs::path file = library_file();
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* entry = library != nullptr ? dlsym(library, "nacre_picture_module") : nullptr;
+    if (entry == nullptr) throw std::runtime_error(dlerror());
+    return reinterpret_cast<decltype(&nacre_picture_module)>(entry)();
+}
+
+const PictureModule& pictures() {
+    static const PictureModule* const loaded = load_module();
+    return *loaded;
+}
+
+}  // namespace
+
+Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where) {
+    return pictures().load_picture(file, error_file, error_where);
+}
+
+ColourPicture load_colours(const fs::path& file) { return pictures().load_colours(file); }
+
+void write_png(const fs::path& file, glm::ivec2 size, std::span<const std::uint8_t> pixels) {
+    pictures().write_png(file, size, pixels);
+}
+
+void write_exr(const fs::path& file, glm::ivec2 size, const std::vector<std::string>& channels,
+               std::span<const float> values) {
+    pictures().write_exr(file, size, channels, values);
+}
+
+}  // namespace nacre

@@ -1,0 +1,11 @@
+#include "core/pictures/picture_module.h"
+
+#include "core/exchange/image_file.h"
+
+[[gnu::visibility("default")]] const nacre::PictureModule* nacre_picture_module() {
+    static constexpr nacre::PictureModule module{.load_picture = nacre::load_picture,
+                                                 .load_colours = nacre::load_colours,
+                                                 .write_png = nacre::write_png,
+                                                 .write_exr = nacre::write_exr};
+    return &module;
+}

@@ -1,0 +1,28 @@
+// What reads and writes pictures, as a library of its own: OpenImageIO brings two hundred others that take
+// longer to load than all the rest of the program, and most runs never meet a picture.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/exchange/picture.h"
+
+namespace nacre {
+
+// The functions of core/exchange/picture.h and image_file.h that need OpenImageIO.
+struct PictureModule {
+    Raster (*load_picture)(const std::filesystem::path&, const std::string&, const std::string&);
+    ColourPicture (*load_colours)(const std::filesystem::path&);
+    void (*write_png)(const std::filesystem::path&, glm::ivec2, std::span<const std::uint8_t>);
+    void (*write_exr)(const std::filesystem::path&, glm::ivec2, const std::vector<std::string>&,
+                      std::span<const float>);
+};
+
+}  // namespace nacre
+
+// The one name that the library shows.
+extern "C" const nacre::PictureModule* nacre_picture_module();
