@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/design/design.h"
+#include "core/light/lat_long.h"
 
 namespace nacre {
 
@@ -26,5 +27,10 @@ struct ColourPicture {
 
 // For pictures that are no looks but data, such as normals. A UserError of the picture itself.
 ColourPicture load_colours(const std::filesystem::path& file);
+
+// A surrounding by latitude and longitude, twice as wide as high; one that is wider than 2048 texels is
+// averaged down. Float pictures are linear radiance, integers are decoded from sRGB. A UserError of the
+// picture itself.
+LatLong load_lat_long(const std::filesystem::path& file);
 
 }  // namespace nacre
