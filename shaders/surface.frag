@@ -14,7 +14,11 @@ uniform vec3 second_irradiance;
 #if AMBIENT_LIGHT
 uniform vec3 ambient_radiance;
 #endif
+#if SURROUNDINGS
+uniform float background_slope;  // of the view's rays, per unit of view space beside the middle
+#else
 uniform vec3 background;  // linear radiance at the centre
+#endif
 
 out vec4 radiance;
 
@@ -38,11 +42,20 @@ vec3 shade(mat3 frame) {
     return sum;
 }
 
+#if SURROUNDINGS
+// What stands behind the object, seen in perspective: the object's own viewer is too far away to see more than a
+// point of it.
+vec3 wall(vec2 at) {
+    vec3 ray = normalize(vec3(at * background_slope, -1.0));
+    return environment_radiance(lat_long_place(view_to_environment * ray));
+}
+#else
 // A quiet wall: brighter behind the object, falling off toward the corners.
 vec3 wall(vec2 at) {
     float r2 = dot(at, at);
     return background / (1.0 + 0.35 * r2 + 0.05 * r2 * r2);
 }
+#endif
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -17,7 +17,7 @@ constexpr double height_depth = 0.02;  // of the picture's breadth, from black t
 
 constexpr double smoothing = 1.5;  // degrees, of normals
 
-enum Answer { stamp, normals, heights, modulate, cancel };
+enum Answer { stamp, normals, heights, modulate, surround, cancel };
 
 void add_layer_of(const std::vector<dvec3>& normals_found, double width, const std::string& name,
                   Distribution& distribution, std::size_t& chosen) {
@@ -57,6 +57,8 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
         } else if (answer == modulate && chosen < distribution.layers.size()) {
             auto raster = std::make_shared<const Raster>(load_picture(file, file.string(), "modulation"));
             distribution.layers[chosen].modulation = Modulation{{{}, std::move(raster)}, 1};
+        } else if (answer == surround) {
+            surroundings_ = file;
         }
     } catch (const UserError& error) {
         problem_ = error.what();
@@ -69,12 +71,13 @@ void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::Canv
         return;
     }
     if (!file_) return;
-    const std::string text = "What is \u201c" + file_->filename().string() +
-                             "\u201d? A stamp paints through it. A map of normals or of heights becomes a "
-                             "layer with the facets of that "
-                             "surface. Modulation multiplies the chosen layer by it.";
-    const auto answer =
-        ui::question("A picture", text, {"Stamp", "Normals", "Heights", "Modulation", "Cancel"});
+    const std::string text =
+        "What is \u201c" + file_->filename().string() +
+        "\u201d? A stamp paints through it. A map of normals or of heights becomes a "
+        "layer with the facets of that "
+        "surface. Modulation multiplies the chosen layer by it. Surroundings light the object.";
+    const auto answer = ui::question("A picture", text,
+                                     {"Stamp", "Normals", "Heights", "Modulation", "Surroundings", "Cancel"});
     if (answer) use(*answer, distribution, chosen, canvas);
 }
 

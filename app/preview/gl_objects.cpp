@@ -107,6 +107,23 @@ void FullScreen::draw() const {
     glBindVertexArray(0);
 }
 
+void FullScreen::add(int first, int rows) const {
+    GLint viewport[4];
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, first, viewport[2], rows);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glBindVertexArray(name_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void store_data(Texture& texture, const std::vector<float>& data) {
     const int rows = std::max(1, static_cast<int>((data.size() + data_width - 1) / data_width));
     std::vector<float> padded(data);

@@ -72,6 +72,8 @@ class FullScreen {
     FullScreen& operator=(const FullScreen&) = delete;
 
     void draw() const;
+    // Adds to what stands in `rows` rows of texels, from `first` (0: the bottom) on, and leaves the rest.
+    void add(int first, int rows) const;
 
   private:
     GLuint name_ = 0;

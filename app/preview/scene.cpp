@@ -23,6 +23,8 @@ std::optional<Scene> scene_by_name(std::string_view name) {
     return scene;
 }
 
+bool lights_shine(const Scene& scene) { return !scene.environment.picture || scene.environment.with_lights; }
+
 glm::dvec3 light_direction(const LightSource& light) {
     const double sine = std::sin(light.theta * radians);
     return {sine * std::cos(light.phi * radians), sine * std::sin(light.phi * radians),

@@ -4,10 +4,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/light/environment.h"
 
 namespace nacre {
 
@@ -21,12 +24,25 @@ struct LightSource {
     bool operator==(const LightSource&) const = default;
 };
 
+// Light from all around, and whether it is seen behind the object. It stays with the viewer while the object
+// turns.
+struct Surroundings {
+    std::shared_ptr<const Environment> picture;  // none: the lights alone
+    double rotation = 0;    // degrees about the vertical: what is behind the object moves right
+    double brightness = 1;  // factor
+    bool visible = false;
+    bool with_lights = false;  // the scene's lights shine too
+
+    bool operator==(const Surroundings&) const = default;
+};
+
 struct Scene {
     LightSource light;
     bool second_light = false;
     LightSource second{75, -25, {0.9, 1.0, 1.2}};
     bool ambient = false;
     glm::dvec3 ambient_radiance{0.12};
+    Surroundings environment;
     double exposure = 0;  // EV
     double yaw = 0;       // degrees, orbit about the sphere's axis
     double pitch = 0;     // degrees, the axis leans toward the viewer
@@ -38,6 +54,9 @@ struct Scene {
 // "single" (one light, as in the paper's figures), "two", "ambient", "studio" (all of them).
 std::vector<std::string> scene_names();
 std::optional<Scene> scene_by_name(std::string_view name);
+
+// Whether the lights shine: where an environment does, only if they are to.
+bool lights_shine(const Scene& scene);
 
 // Unit vector toward a light, view space.
 glm::dvec3 light_direction(const LightSource& light);

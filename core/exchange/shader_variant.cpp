@@ -59,6 +59,7 @@ std::string variant_definitions(const ShaderVariant& variant) {
     define("DIFFUSE_METAL", variant.kinds.diffuse == DiffuseKind::metal);
     define("SECOND_LIGHT", variant.second_light);
     define("AMBIENT_LIGHT", variant.ambient);
+    define("SURROUNDINGS", variant.surroundings);
     text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
     for (const char* kind : {"FRESNEL_IS_SCHLICK", "FRESNEL_IS_DIELECTRIC", "FRESNEL_IS_CONDUCTOR",
                              "VISIBILITY_IS_CORRELATED", "VISIBILITY_IS_SMITH", "READS_ALBEDO"})
@@ -78,9 +79,12 @@ std::string shared_mathematics() {
            text_of("shared/brdf.glsl");
 }
 
-std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
-    return "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
-           text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n" + text_of(main);
+std::string fragment_shader(const ShaderVariant& variant, std::string_view main,
+                            std::initializer_list<std::string_view> parts) {
+    std::string text = "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
+                       text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n";
+    for (const std::string_view part : parts) text += text_of(part) + "\n";
+    return text + text_of(main);
 }
 
 }  // namespace nacre

@@ -2,6 +2,7 @@
 // its scene need.
 #pragma once
 
+#include <initializer_list>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ struct ShaderVariant {
     ShadingKinds kinds;
     bool second_light = false;
     bool ambient = false;
+    bool surroundings = false;  // an environment stands behind the object
 
     bool operator==(const ShaderVariant&) const = default;
 };
@@ -30,6 +32,8 @@ std::string shared_parameters();
 std::string shared_mathematics();
 
 // A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "surface.frag".
-std::string fragment_shader(const ShaderVariant& variant, std::string_view main);
+// `parts` name files that `main` builds upon.
+std::string fragment_shader(const ShaderVariant& variant, std::string_view main,
+                            std::initializer_list<std::string_view> parts = {});
 
 }  // namespace nacre

@@ -11,6 +11,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int facet_points = 96;
+constexpr int light_columns = 512;  // at the least, whatever the picture has
 
 }  // namespace
 
@@ -35,7 +36,9 @@ RadianceIntegral::RadianceIntegral(std::shared_ptr<const Tables> tables,
                                    std::shared_ptr<const Environment> environment, int fineness)
     : tables_(std::move(tables)), environment_(std::move(environment)), fineness_(fineness) {
     const LatLong& picture = environment_->picture;
-    LatLong grid{std::max(picture.width * fineness / 2, 8), std::max(picture.height * fineness / 2, 4), {}};
+    LatLong grid{std::max(picture.width, light_columns) * fineness / 2,
+                 std::max(picture.height, light_columns / 2) * fineness / 2,
+                 {}};
     for (int row = 0; row < grid.height; ++row)
         for (int column = 0; column < grid.width; ++column) {
             const glm::dvec2 place((column + 0.5) / grid.width, (row + 0.5) / grid.height);

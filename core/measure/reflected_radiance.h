@@ -15,8 +15,8 @@ namespace nacre {
 // that what either sees is smooth at its own points. In double, without random numbers.
 class RadianceIntegral {
   public:
-    // `fineness` 1: every second texel's worth of light each way and 96 x 96 facets for half a lobe; the
-    // error falls with it, and the time grows with its square.
+    // `fineness` 1: 256 or more columns of light, half of the picture's own, and 96 x 96 facets for half a
+    // lobe; the error falls with it, and the time grows with its square.
     RadianceIntegral(std::shared_ptr<const Tables> tables, std::shared_ptr<const Environment> environment,
                      int fineness);
 

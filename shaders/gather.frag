@@ -1,0 +1,81 @@
+// Light of the surroundings that the object reflects toward a distant viewer: a sum over samples, to be added to
+// those before. A sample draws one visible facet of p and one direction of light, and weighs both by the balance
+// heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
+
+uniform sampler2D normals;  // as in surface.frag
+uniform sampler2D tangents;
+uniform sampler2D light_density;  // per steradian, what light is drawn from; cells like the picture's
+uniform sampler2D facet_order;
+uniform sampler2D light_order;
+uniform int first_sample;
+uniform int samples;
+
+out vec4 gathered;  // radiance times coverage, and the number of samples
+
+// What both ways of drawing have in common: rho L (k1.n) over the sum of their densities.
+vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
+    vec3 sum = k1 + viewer.k;
+    vec2 place = lat_long_place(toward);
+    ivec2 cells = textureSize(light_density, 0);
+    float light = texelFetch(light_density, clamp(ivec2(place * vec2(cells)), ivec2(0), cells - 1), 0).r;
+    float by_light = irradiance > 0.0 ? light * k1.z / irradiance : 0.0;
+    float by_facets = viewer.g > 0.0 ? density(sum / length(sum)) / (4.0 * viewer.g) : 0.0;
+    float either = by_light + by_facets;
+    if (!(either > 0.0)) return vec3(0.0);
+    return brdf_of(direction(k1), viewer) * environment_radiance(place) * (k1.z / either);
+}
+
+vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at) {
+    if (!(viewer.g > 0.0)) return vec3(0.0);
+    Drawn facet = draw(facet_order, viewer.k, at);
+    float kh = dot(viewer.k, facet.direction);
+    vec3 k1 = normalize(2.0 * kh * facet.direction - viewer.k);
+    if (facet.weight <= 0.0 || kh <= 0.0 || k1.z <= 0.0) return vec3(0.0);
+    return reflected(viewer, k1, to_environment * k1, irradiance) * (facet.weight * kh / viewer.g);
+}
+
+vec3 by_light(Direction viewer, mat3 to_environment, float irradiance, float at) {
+    Drawn light = draw(light_order, to_environment[2], at);
+    vec3 k1 = light.direction * to_environment;
+    if (light.weight <= 0.0 || k1.z <= 0.0) return vec3(0.0);
+    return reflected(viewer, k1, light.direction, irradiance) * (light.weight * k1.z / irradiance);
+}
+
+// Base 2: sample number i of van der Corput's sequence (1935).
+float radical_inverse(uint i) {
+    i = (i << 16) | (i >> 16);
+    i = ((i & 0x00ff00ffu) << 8) | ((i & 0xff00ff00u) >> 8);
+    i = ((i & 0x0f0f0f0fu) << 4) | ((i & 0xf0f0f0f0u) >> 4);
+    i = ((i & 0x33333333u) << 2) | ((i & 0xccccccccu) >> 2);
+    i = ((i & 0x55555555u) << 1) | ((i & 0xaaaaaaaau) >> 1);
+    return float(i >> 8) / 16777216.0;
+}
+
+// Where a texel's sequence begins, so that neighbours err apart (Cranley & Patterson 1976): a hash of its place, the
+// same in every run.
+float turn(uvec2 texel) {
+    uint x = texel.x * 1664525u + texel.y * 22695477u + 1013904223u;
+    x = (x ^ (x >> 16)) * 2246822519u;
+    x = (x ^ (x >> 13)) * 3266489917u;
+    return float((x ^ (x >> 16)) >> 8) / 16777216.0;
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec4 seen_normal = texelFetch(normals, texel, 0);
+    gathered = vec4(0.0, 0.0, 0.0, float(samples));
+    if (seen_normal.w <= 0.0 || seen_normal.z <= 0.0) return;
+    vec3 tangent = texelFetch(tangents, texel, 0).xyz;
+    mat3 frame = mat3(tangent, cross(seen_normal.xyz, tangent), seen_normal.xyz);
+    Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
+    mat3 to_environment = view_to_environment * frame;
+    float irradiance = all_seen(light_order, to_environment[2]);
+    float start = turn(uvec2(texel));
+    vec3 sum = vec3(0.0);
+    for (int i = first_sample; i < first_sample + samples; ++i) {
+        float at = fract(start + radical_inverse(uint(i)));
+        sum += by_facet(viewer, to_environment, irradiance, at);
+        sum += by_light(viewer, to_environment, irradiance, fract(at + 0.5));
+    }
+    gathered.rgb = sum * seen_normal.w;
+}
