@@ -38,10 +38,19 @@ Scene SceneOptions::scene() const {
         scene.light.phi = light[1];
     }
     scene.exposure = exposure;
+    scene.object = make_object(object);
     return scene;
 }
 
 void add_scene_options(Command& command, SceneOptions& options) {
+    command.option_read_by(
+        [&options](const std::string& text) {
+            options.object = text;
+            return names_object(text);
+        },
+        "--object", "NAME|FILE.obj",
+        fmt::format("must be {} or the path of an .obj file", fmt::join(object_names(), ", ")),
+        fmt::format("{} or an OBJ file (default {})", fmt::join(object_names(), ", "), options.object));
     command
         .option("--scene", options.name,
                 fmt::format("{} (default {})", fmt::join(scene_names(), ", "), options.name))
