@@ -16,7 +16,7 @@ vec4 order_texel(sampler2D order, int index) {
 // About the mean of (d.k)+ over a range of directions: exact where all of them lie far before k or far behind, and
 // positive wherever one may lie before. Were d.k Gaussian, with half of the range's variance along k, the mean at
 // d.k = 0 would be this too.
-float seen(vec4 node, vec3 k) {
+float seen_part(vec4 node, vec3 k) {
     float along = dot(node.xyz, k);
     float variance = node.w * node.w / TABLE_PI;
     float root = sqrt(along * along + variance);
@@ -25,8 +25,8 @@ float seen(vec4 node, vec3 k) {
 }
 
 vec4 four_seen(sampler2D order, int first, vec3 k) {
-    return vec4(seen(order_texel(order, first), k), seen(order_texel(order, first + 1), k),
-                seen(order_texel(order, first + 2), k), seen(order_texel(order, first + 3), k));
+    return vec4(seen_part(order_texel(order, first), k), seen_part(order_texel(order, first + 1), k),
+                seen_part(order_texel(order, first + 2), k), seen_part(order_texel(order, first + 3), k));
 }
 
 // About the mean of (d.k)+ over all directions.

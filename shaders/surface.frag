@@ -1,8 +1,6 @@
 // An object of the surface under small distant lights, seen by a distant viewer. Linear radiance.
 // View space: x right, y up, z toward the viewer; all objects have a radius of about 1.
 
-uniform sampler2D normals;      // xyz: the object's normal, view space; w: the part of the texel it covers
-uniform sampler2D tangents;     // xyz: its tangent, orthonormal to that; w: z of its point
 uniform vec2 target_size;       // texels
 uniform float texels_per_unit;  // of view space
 uniform vec3 light_direction;   // toward the light, view space
@@ -58,12 +56,11 @@ vec3 wall(vec2 at) {
 #endif
 
 void main() {
-    ivec2 texel = ivec2(gl_FragCoord.xy);
     vec3 colour = wall((gl_FragCoord.xy - 0.5 * target_size) / texels_per_unit);
-    vec4 seen = texelFetch(normals, texel, 0);
-    if (seen.w > 0.0) {
-        vec3 tangent = texelFetch(tangents, texel, 0).xyz;
-        colour = mix(colour, shade(mat3(tangent, cross(seen.xyz, tangent), seen.xyz)), seen.w);
+    Seen seen = seen_at(ivec2(gl_FragCoord.xy));
+    if (seen.coverage > 0.0) {
+        mat3 frame = mat3(seen.tangent, cross(seen.normal, seen.tangent), seen.normal);
+        colour = mix(colour, shade(frame), seen.coverage);
     }
     radiance = vec4(colour, 1.0);
 }

@@ -41,6 +41,7 @@ Scene SceneOptions::scene() const {
         scene.light.phi = light[1];
     }
     scene.exposure = exposure;
+    scene.object = make_object(object);
     if (!environment.empty())
         scene.environment = {load_environment(environment), rotation, brightness, backdrop,
                              !name.empty() || !light.empty()};
@@ -48,6 +49,14 @@ Scene SceneOptions::scene() const {
 }
 
 void add_scene_options(Command& command, SceneOptions& options) {
+    command.option_read_by(
+        [&options](const std::string& text) {
+            options.object = text;
+            return names_object(text);
+        },
+        "--object", "NAME|FILE.obj",
+        fmt::format("must be {} or the path of an .obj file", fmt::join(object_names(), ", ")),
+        fmt::format("{} or an OBJ file (default {})", fmt::join(object_names(), ", "), options.object));
     command
         .option("--scene", options.name, fmt::format("{} (default single)", fmt::join(scene_names(), ", ")))
         .one_of(scene_names());

@@ -28,7 +28,9 @@ void move_light_to(Scene& scene, const SurfaceImage& surface, glm::dvec2 pixel) 
 
 void orbit(Scene& scene, glm::dvec2 pixels) {
     scene.yaw = std::remainder(scene.yaw + pixels.x * degrees_per_pixel, 360.0);
-    scene.pitch = std::clamp(scene.pitch + pixels.y * degrees_per_pixel, -pitch_most, pitch_most);
+    const double usual = scene.object.pitch;
+    scene.pitch =
+        std::clamp(scene.pitch + pixels.y * degrees_per_pixel, -pitch_most - usual, pitch_most - usual);
 }
 
 void zoom(Scene& scene, double wheel) {

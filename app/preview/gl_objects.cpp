@@ -97,6 +97,11 @@ std::vector<float> Target::read(std::size_t index) const {
     return texels;
 }
 
+void Renderbuffer::store(glm::ivec2 size, GLenum internal_format, int samples) {
+    glBindRenderbuffer(GL_RENDERBUFFER, name_);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, internal_format, size.x, size.y);
+}
+
 void FullScreen::draw() const {
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);

@@ -54,6 +54,7 @@ class Target {
     // Makes the textures the given size and format if they are not, then binds them for drawing.
     void bind(glm::ivec2 size, GLint internal_format);
     const Texture& texture(std::size_t index = 0) const { return textures_[index]; }
+    GLuint name() const { return name_; }
     std::vector<float> read(std::size_t index = 0) const;  // RGBA, bottom row first
 
   private:
@@ -61,6 +62,21 @@ class Target {
     std::vector<Texture> textures_;
     glm::ivec2 size_{0};
     GLint internal_format_ = 0;
+};
+
+// Pixels that can be drawn into and not sampled.
+class Renderbuffer {
+  public:
+    Renderbuffer() { glGenRenderbuffers(1, &name_); }
+    ~Renderbuffer() { glDeleteRenderbuffers(1, &name_); }
+    Renderbuffer(const Renderbuffer&) = delete;
+    Renderbuffer& operator=(const Renderbuffer&) = delete;
+
+    GLuint name() const { return name_; }
+    void store(glm::ivec2 size, GLenum internal_format, int samples);
+
+  private:
+    GLuint name_ = 0;
 };
 
 // Draws the triangle of full_screen.vert into what is bound.

@@ -63,8 +63,6 @@ const Program& Preview::surface_program() {
     variant.second_light = scene.second_light && lights_shine(scene);
     variant.ambient = scene.ambient && lights_shine(scene) && variant.kinds.albedo;
     variant.surroundings = frame_.gathers() && scene.environment.visible;
-    if (variant.surroundings)
-        return program_of(fragment_shader(variant, "surface.frag", {"environment.glsl"}));
     return program_of(fragment_shader(variant, "surface.frag"));
 }
 
@@ -101,8 +99,7 @@ void Preview::draw_radiance() {
 
 // See Gathering::add.
 double Preview::gather(double most) {
-    const Program& program = program_of(
-        fragment_shader(variant_of(tables_->shading), "gather.frag", {"environment.glsl", "draw.glsl"}));
+    const Program& program = program_of(fragment_shader(variant_of(tables_->shading), "gather.frag"));
     glUseProgram(program.name());
     data_.bind(0);
     upload_surface(program, tables_->shading, 0);

@@ -33,7 +33,8 @@ glm::dvec3 light_direction(const LightSource& light) {
 
 glm::dmat3 object_to_view(const Scene& scene) {
     const double cy = std::cos(scene.yaw * radians), sy = std::sin(scene.yaw * radians);
-    const double cp = std::cos(scene.pitch * radians), sp = std::sin(scene.pitch * radians);
+    const double pitch = (scene.object.pitch + scene.pitch) * radians;
+    const double cp = std::cos(pitch), sp = std::sin(pitch);
     const glm::dmat3 turn{{cy, 0, -sy}, {0, 1, 0}, {sy, 0, cy}};
     const glm::dmat3 lean{{1, 0, 0}, {0, cp, sp}, {0, -sp, cp}};
     return lean * turn;

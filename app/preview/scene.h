@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/preview/object.h"
 #include "core/light/environment.h"
 
 namespace nacre {
@@ -37,6 +38,7 @@ struct Surroundings {
 };
 
 struct Scene {
+    SceneObject object;
     LightSource light;
     bool second_light = false;
     LightSource second{75, -25, {0.9, 1.0, 1.2}};
@@ -44,7 +46,7 @@ struct Scene {
     glm::dvec3 ambient_radiance{0.12};
     Surroundings environment;
     double exposure = 0;  // EV
-    double yaw = 0;       // degrees, orbit about the sphere's axis
+    double yaw = 0;       // degrees, orbit about the object's y axis
     double pitch = 0;     // degrees, the axis leans toward the viewer
     double zoom = 1;
 
@@ -61,10 +63,11 @@ bool lights_shine(const Scene& scene);
 // Unit vector toward a light, view space.
 glm::dvec3 light_direction(const LightSource& light);
 
-// The sphere turns by yaw about its own axis, which then leans toward the viewer by pitch.
+// The object turns by yaw about its own y axis, which then leans toward the viewer by its own pitch and the
+// camera's.
 glm::dmat3 object_to_view(const Scene& scene);
 
-// Pixels that one unit of view space (the sphere's radius) takes.
+// Pixels that one unit of view space (about the object's radius) takes.
 double pixels_per_unit(const Scene& scene, glm::ivec2 size);
 
 }  // namespace nacre

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cassert>
+#include <vector>
 
 #include "shaders/shader_text.h"
 
@@ -15,6 +16,14 @@ std::string text_of(std::string_view name) {
     const std::string_view text = shader_text(name);
     assert(!text.empty());
     return std::string(text);
+}
+
+// The files that a shader builds upon, in order.
+std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string_view main) {
+    if (main == "gather.frag") return {"seen.glsl", "environment.glsl", "draw.glsl"};
+    if (main != "surface.frag") return {};
+    if (variant.surroundings) return {"seen.glsl", "environment.glsl"};
+    return {"seen.glsl"};
 }
 
 }  // namespace
@@ -79,11 +88,10 @@ std::string shared_mathematics() {
            text_of("shared/brdf.glsl");
 }
 
-std::string fragment_shader(const ShaderVariant& variant, std::string_view main,
-                            std::initializer_list<std::string_view> parts) {
+std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
     std::string text = "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
                        text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n";
-    for (const std::string_view part : parts) text += text_of(part) + "\n";
+    for (const std::string_view part : parts_of(variant, main)) text += text_of(part) + "\n";
     return text + text_of(main);
 }
 

@@ -2,7 +2,6 @@
 // its scene need.
 #pragma once
 
-#include <initializer_list>
 #include <set>
 #include <string>
 #include <string_view>
@@ -32,8 +31,6 @@ std::string shared_parameters();
 std::string shared_mathematics();
 
 // A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "surface.frag".
-// `parts` name files that `main` builds upon.
-std::string fragment_shader(const ShaderVariant& variant, std::string_view main,
-                            std::initializer_list<std::string_view> parts = {});
+std::string fragment_shader(const ShaderVariant& variant, std::string_view main);
 
 }  // namespace nacre

@@ -84,10 +84,8 @@ TEST_CASE("glslangValidator accepts every variant") {
         shaders[fmt::format("surface-{}.frag", index)] = fragment_shader(variant, "surface.frag");
         ShaderVariant surrounded = variant;
         surrounded.surroundings = true;
-        shaders[fmt::format("surrounded-{}.frag", index)] =
-            fragment_shader(surrounded, "surface.frag", {"environment.glsl"});
-        shaders[fmt::format("gather-{}.frag", index)] =
-            fragment_shader(variant, "gather.frag", {"environment.glsl", "draw.glsl"});
+        shaders[fmt::format("surrounded-{}.frag", index)] = fragment_shader(surrounded, "surface.frag");
+        shaders[fmt::format("gather-{}.frag", index)] = fragment_shader(variant, "gather.frag");
         shaders[fmt::format("parity-{}.frag", index++)] = fragment_shader(variant, "parity.frag");
     }
     CHECK(validate(shaders) == "");
