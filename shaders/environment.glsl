@@ -2,7 +2,6 @@
 
 uniform sampler2D environment_picture;  // radiance; row 0 touches the zenith
 uniform mat3 view_to_environment;
-uniform float environment_brightness;  // factor
 
 // In parts of the picture's breadth and height, from the left and from the top.
 vec2 lat_long_place(vec3 direction) {
@@ -25,5 +24,5 @@ vec3 environment_radiance(vec2 place) {
     vec3 top = mix(environment_texel(texel, size), environment_texel(texel + ivec2(1, 0), size), part.x);
     vec3 bottom = mix(environment_texel(texel + ivec2(0, 1), size), environment_texel(texel + ivec2(1, 1), size),
                       part.x);
-    return mix(top, bottom, part.y) * environment_brightness;
+    return mix(top, bottom, part.y);
 }

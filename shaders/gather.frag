@@ -2,11 +2,13 @@
 // those before. A sample draws one visible facet of p and one direction of light, and weighs both by the balance
 // heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
 
-uniform sampler2D light_density;  // per steradian, what light is drawn from; cells like the picture's
 uniform sampler2D facet_order;
 uniform sampler2D light_order;
+uniform float light_scale;  // from the picture's radiance to the density that light is drawn with, 1/sr
 uniform int first_sample;
 uniform int samples;
+
+uniform float environment_brightness;  // factor
 
 out vec4 gathered;  // radiance times coverage, and the number of samples
 
@@ -14,13 +16,12 @@ out vec4 gathered;  // radiance times coverage, and the number of samples
 vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
     vec3 sum = k1 + viewer.k;
     vec2 place = lat_long_place(toward);
-    ivec2 cells = textureSize(light_density, 0);
-    float light = texelFetch(light_density, clamp(ivec2(place * vec2(cells)), ivec2(0), cells - 1), 0).r;
-    float by_light = irradiance > 0.0 ? light * k1.z / irradiance : 0.0;
+    vec3 light = environment_radiance(place);
+    float by_light = irradiance > 0.0 ? dot(light, vec3(light_scale)) * k1.z / irradiance : 0.0;
     float by_facets = viewer.g > 0.0 ? density(sum / length(sum)) / (4.0 * viewer.g) : 0.0;
     float either = by_light + by_facets;
     if (!(either > 0.0)) return vec3(0.0);
-    return brdf_of(direction(k1), viewer) * environment_radiance(place) * (k1.z / either);
+    return brdf_of(direction(k1), viewer) * light * (k1.z / either);
 }
 
 vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at) {
@@ -73,5 +74,5 @@ void main() {
         sum += by_facet(viewer, to_environment, irradiance, at);
         sum += by_light(viewer, to_environment, irradiance, fract(at + 0.5));
     }
-    gathered.rgb = sum * seen.coverage;
+    gathered.rgb = environment_brightness * sum * seen.coverage;
 }

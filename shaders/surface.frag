@@ -13,6 +13,7 @@ uniform vec3 second_irradiance;
 uniform vec3 ambient_radiance;
 #endif
 #if SURROUNDINGS
+uniform float environment_brightness;  // factor
 uniform float background_slope;  // of the view's rays, per unit of view space beside the middle
 #else
 uniform vec3 background;  // linear radiance at the centre
@@ -45,7 +46,7 @@ vec3 shade(mat3 frame) {
 // point of it.
 vec3 wall(vec2 at) {
     vec3 ray = normalize(vec3(at * background_slope, -1.0));
-    return environment_radiance(lat_long_place(view_to_environment * ray));
+    return environment_brightness * environment_radiance(lat_long_place(view_to_environment * ray));
 }
 #else
 // A quiet wall: brighter behind the object, falling off toward the corners.

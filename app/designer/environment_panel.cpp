@@ -1,5 +1,7 @@
 #include "app/designer/environment_panel.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include "app/designer/folder.h"
 #include "core/exchange/environment_file.h"
 #include "core/light/procedural.h"
+#include "ui/item_map.h"
 #include "ui/widgets.h"
 
 namespace nacre {
@@ -17,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 ui::Listing list_pictures(const fs::path& folder) {
-    return list_folder(folder, {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"});
+    return list_files(folder, {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"});
 }
 
 std::string reason_of(const std::exception_ptr& error) {
@@ -26,6 +29,26 @@ std::string reason_of(const std::exception_ptr& error) {
     } catch (const std::exception& problem) {
         return problem.what();
     }
+}
+
+// A list whose entries can be found by their labels. Returns whether another was chosen.
+bool choose(const std::vector<std::string>& labels, std::size_t& chosen) {
+    constexpr const char* about =
+        "Light from all around in place of the lights: a picture of the surroundings by latitude and "
+        "longitude, "
+        "whose middle stands behind the object. The preview grows finer while nothing moves.";
+    const std::size_t before = chosen;
+    ui::row_label("Environment", about);
+    if (ImGui::BeginCombo("##Environment", labels[chosen].c_str())) {
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (ImGui::Selectable(labels[i].c_str(), i == before)) chosen = i;
+            ui::note_item(labels[i].c_str());
+        }
+        ImGui::EndCombo();
+    }
+    ui::note_item("Environment");
+    ui::tooltip_for_item(about);
+    return chosen != before;
 }
 
 bool is_procedural(const std::string& name) {
@@ -42,7 +65,7 @@ EnvironmentPanel::EnvironmentPanel()
 
 void EnvironmentPanel::want(std::string name_or_file) {
     wanted_ = std::move(name_or_file);
-    job_.submit(*wanted_);
+    asked_ = job_.submit(*wanted_);
 }
 
 void EnvironmentPanel::rows(Surroundings& surroundings) {
@@ -60,15 +83,8 @@ void EnvironmentPanel::rows(Surroundings& surroundings) {
         labels.push_back(fs::path(last_file_).filename().string());
     }
     labels.emplace_back("Open picture\u2026");
-    std::vector<const char*> shown;
-    for (const std::string& label : labels) shown.push_back(label.c_str());
-    int index = static_cast<int>(std::find(names.begin(), names.end(), present) - names.begin());
-    if (ui::combo(
-            "Environment", index, shown,
-            "Light from all around in place of the lights: a picture of the surroundings by latitude and "
-            "longitude, whose middle stands behind the object. The preview grows finer while nothing "
-            "moves.")) {
-        const auto chosen = static_cast<std::size_t>(index);
+    auto chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), present) - names.begin());
+    if (choose(labels, chosen)) {
         if (chosen == names.size()) {
             dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::open,
                                      .listing = list_pictures(fs::path(last_file_).parent_path()),
@@ -111,12 +127,14 @@ void EnvironmentPanel::rows(Surroundings& surroundings) {
 }
 
 void EnvironmentPanel::draw(Surroundings& surroundings) {
-    if (auto published = job_.poll(); published && wanted_) {
-        wanted_.reset();
-        if (published->result)
+    if (auto published = job_.poll(); published && wanted_ && published->revision == asked_) {
+        const std::string name = *std::exchange(wanted_, std::nullopt);
+        if (published->result) {
             surroundings.picture = *std::move(published->result);
-        else
+        } else {
             problem_ = reason_of(published->error);
+            if (last_file_ == name) last_file_.clear();
+        }
     }
     if (!problem_.empty()) {
         if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();

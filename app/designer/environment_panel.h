@@ -1,6 +1,7 @@
 // What surrounds the object: chosen from a list or a file, made on a worker.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ class EnvironmentPanel {
     std::string last_file_;  // stays in the list
     std::optional<ui::FileDialog> dialog_;
     std::string problem_;
+    std::uint64_t asked_ = 0;
     LatestJob<std::string, std::shared_ptr<const Environment>> job_;
 };
 

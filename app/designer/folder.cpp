@@ -31,9 +31,9 @@ std::string spoken(std::string name) {
 
 }  // namespace
 
-ui::Listing list_folder(const fs::path& folder) { return list_folder(folder, {extension}); }
+ui::Listing list_folder(const fs::path& folder) { return list_files(folder, {extension}); }
 
-ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& endings) {
+ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& endings) {
     ui::Listing listing;
     std::error_code error;
     listing.directory = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();

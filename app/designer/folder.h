@@ -13,7 +13,7 @@ namespace nacre {
 ui::Listing list_folder(const std::filesystem::path& folder);
 
 // The same with files of any of these endings, in small letters, in place of designs.
-ui::Listing list_folder(const std::filesystem::path& folder, const std::vector<std::string>& endings);
+ui::Listing list_files(const std::filesystem::path& folder, const std::vector<std::string>& endings);
 
 struct Preset {
     std::string name;  // of the file, without ".nacre"

@@ -38,9 +38,6 @@ void Gathering::set_environment(std::shared_ptr<const Environment> environment) 
     const LatLong& picture = environment_->picture;
     picture_.store({picture.width, picture.height}, GL_RGB32F, GL_RGB, GL_FLOAT, picture.radiance.data(),
                    GL_NEAREST);
-    const LightDensity& density = environment_->density;
-    density_.store({density.width, density.height}, GL_R32F, GL_RED, GL_FLOAT, density.values.data(),
-                   GL_NEAREST);
     store_order(light_order_, environment_->light);
 }
 
@@ -71,14 +68,14 @@ double Gathering::add(const Program& program, const GeometryBuffer& geometry, co
         std::clamp(static_cast<int>(std::min(most / (a_row * batch_), 1e6)), 1, texels_.y - row_);
     geometry.normals().bind(1);
     geometry.tangents().bind(2);
-    density_.bind(4);
-    facet_order_.bind(5);
-    light_order_.bind(6);
+    facet_order_.bind(4);
+    light_order_.bind(5);
     set_uniform(program, "normals", 1);
     set_uniform(program, "tangents", 2);
-    set_uniform(program, "light_density", 4);
-    set_uniform(program, "facet_order", 5);
-    set_uniform(program, "light_order", 6);
+    set_uniform(program, "facet_order", 4);
+    set_uniform(program, "light_order", 5);
+    const double brightness = environment_->brightness;
+    set_uniform(program, "light_scale", brightness > 0 ? 1 / (3 * brightness) : 0.0);
     set_uniform(program, "first_sample", samples_);
     set_uniform(program, "samples", batch_);
     upload_surroundings(program, scene, 3);

@@ -36,7 +36,7 @@ class Gathering {
   private:
     std::shared_ptr<const Environment> environment_;
     std::shared_ptr<const Tables> facets_of_;
-    Texture picture_, density_, light_order_, facet_order_;
+    Texture picture_, light_order_, facet_order_;
     FullScreen full_screen_;
     Target target_;
     glm::ivec2 texels_{0};

@@ -9,20 +9,18 @@
 
 namespace nacre {
 
-// By latitude and longitude like the picture, in cells on which it is constant: what light is drawn with.
-struct LightDensity {
-    int width = 0, height = 0;
-    std::vector<float>
-        values;  // per steradian; its integral is 1, and it is positive wherever light comes from
-
-    double at(glm::dvec2 place) const;
-};
-
 struct Environment {
     std::string name;  // of a procedural one, or the file
     LatLong picture;
-    LightDensity density;
-    DirectionOrder light;  // drawn from `density`
+    // Directions by the mean of the picture's three colours, its bilinear rule included. Where all is dark
+    // they are any.
+    DirectionOrder light;
+    double brightness = 0;  // the integral of that mean over the sphere
+
+    // The density, per steradian, that `light` has where the picture has this radiance.
+    double light_density(glm::dvec3 radiance) const {
+        return brightness > 0 ? (radiance.x + radiance.y + radiance.z) / (3 * brightness) : 0;
+    }
 };
 
 std::shared_ptr<const Environment> make_environment(std::string name, LatLong picture);

@@ -43,8 +43,9 @@ RadianceIntegral::RadianceIntegral(std::shared_ptr<const Tables> tables,
         for (int column = 0; column < grid.width; ++column) {
             const glm::dvec2 place((column + 0.5) / grid.width, (row + 0.5) / grid.height);
             const double solid_angle = texel_solid_angle(grid, row);
-            lights_.push_back({lat_long_direction(place), radiance_at(picture, place) * solid_angle,
-                               environment_->density.at(place), solid_angle});
+            const dvec3 radiance = radiance_at(picture, place);
+            lights_.push_back({lat_long_direction(place), radiance * solid_angle,
+                               environment_->light_density(radiance), solid_angle});
         }
 }
 
@@ -67,12 +68,12 @@ dvec3 RadianceIntegral::over_facets(const View& view) const {
         const double kh = glm::dot(k2, facet.h);
         const dvec3 k1 = glm::normalize(2 * kh * facet.h - k2);
         if (kh <= 0 || k1.z <= 0 || facet.mass <= 0) return;
-        const glm::dvec2 place = lat_long_place(view.frame * k1);
+        const dvec3 radiance = radiance_at(environment_->picture, lat_long_place(view.frame * k1));
         const double p = view.shading.density(glm::normalize(k1 + k2));
         const double by_facets = p / (4 * view.viewer.g);
-        const double by_light = view.light_density(environment_->density.at(place), k1.z);
+        const double by_light = view.light_density(environment_->light_density(radiance), k1.z);
         if (!(by_facets > 0)) return;
-        sum += view.reflected(k1) * radiance_at(environment_->picture, place) *
+        sum += view.reflected(k1) * radiance *
                (weight * facet.mass * 4 * kh / p * (by_facets / (by_facets + by_light)));
     };
     for (const PlacedLobe& placed : tables_->distribution->lobes())

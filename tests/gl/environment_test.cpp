@@ -22,7 +22,7 @@ std::shared_ptr<const Tables> preset(const std::string& name) {
     return bake(load_design(fs::path(NACRE_SOURCE_DIR "/presets") / (name + ".nacre")), {.albedo = true});
 }
 
-std::shared_ptr<const Environment> environment(const char* name, int width) {
+std::shared_ptr<const Environment> environment(const std::string& name, int width) {
     return make_environment(name, *procedural_environment(name, width));
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("in a furnace every preset sends out its own albedo") {
     for (const auto& entry : fs::directory_iterator(NACRE_SOURCE_DIR "/presets")) {
         if (entry.path().extension() != ".nacre") continue;
         CAPTURE(entry.path().stem().string());
-        const auto tables = bake(load_design(entry.path()), {.quality = Quality::draft, .albedo = true});
+        const auto tables = bake(load_design(entry.path()), {.albedo = true});
         preview.set(tables);
         std::vector<glm::dvec3> albedo;
         for (const glm::dmat3& frame : points.frames) {
@@ -69,11 +69,11 @@ TEST_CASE("the picture converges to core's integral") {
     const auto context = make_offscreen_context({16, 16});
     Preview preview;
     const ViewedPoints points(preview, 24, 40);
-    for (const char* name : {"chrome", "satin", "smiley", "slanted-velvet-midnight"}) {
+    for (const std::string name : {"chrome", "satin", "smiley", "slanted-velvet-midnight"}) {
         CAPTURE(name);
         const auto tables = preset(name);
         preview.set(tables);
-        for (const char* around : {"studio", "sky", "octants"}) {
+        for (const std::string around : {"studio", "sky", "octants"}) {
             CAPTURE(around);
             const auto light = environment(around, 256);
             const auto exact = integrals(points, tables, light, 2);
