@@ -3,6 +3,8 @@
 // that keeps smooth gradients from banding in 8 bits; or the plain mean when `linear` is set.
 
 uniform sampler2D radiance;
+uniform sampler2D gathered;  // of surroundings: a sum, and of how many samples
+uniform bool surrounded;
 uniform int supersample;  // texels a pixel, each way
 uniform float exposure;   // factor
 uniform bool linear;
@@ -36,7 +38,13 @@ void main() {
     vec3 sum = vec3(0.0);
     for (int j = 0; j < supersample; ++j) {
         for (int i = 0; i < supersample; ++i) {
-            vec3 texel = texelFetch(radiance, pixel * supersample + ivec2(i, j), 0).rgb * exposure;
+            ivec2 at = pixel * supersample + ivec2(i, j);
+            vec3 texel = texelFetch(radiance, at, 0).rgb;
+            if (surrounded) {
+                vec4 light = texelFetch(gathered, at, 0);
+                texel += light.rgb / max(light.a, 1.0);
+            }
+            texel *= exposure;
             sum += linear ? texel : filmic(texel);
         }
     }

@@ -45,16 +45,19 @@ void make_folder(const fs::path& folder) {
                         error ? error.message() : "it is no folder");
 }
 
-SheetPicture render_one(const fs::path& file, const GalleryOptions& options, const Interrupt& interrupt) {
+SheetPicture render_one(const fs::path& file, const GalleryOptions& options, const Scene& scene,
+                        const Interrupt& interrupt) {
     const Design design = load_design(file);
     RenderedImage image = about_file(file, [&] {
-        return render_design(design, options.scene.scene(), options.size, false, interrupt.token());
+        return render_design(design, scene, options.size, false, interrupt.token(), {},
+                             options.scene.samples);
     });
     return {one_line(design.name.empty() ? file.stem().string() : design.name), std::move(image)};
 }
 
 int gallery(const GalleryOptions& options, Interrupt& interrupt) {
     const std::vector<fs::path> files = designs_in(options.designs);
+    const Scene scene = options.scene.scene();
     make_folder(options.output);
     const auto context = make_offscreen_context({16, 16});
     std::vector<SheetPicture> pictures;
@@ -65,7 +68,7 @@ int gallery(const GalleryOptions& options, Interrupt& interrupt) {
             progress.report(static_cast<double>(i) / static_cast<double>(files.size()));
             SheetPicture picture;
             try {
-                picture = render_one(files[i], options, interrupt);
+                picture = render_one(files[i], options, scene, interrupt);
             } catch (const UserError& error) {
                 problems.emplace_back(error.what());
                 continue;

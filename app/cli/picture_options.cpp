@@ -6,6 +6,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/exchange/environment_file.h"
+#include "core/light/procedural.h"
+
 namespace nacre::cli {
 namespace {
 
@@ -32,19 +35,30 @@ void add_size_option(Command& command, glm::ivec2& size, int smallest) {
 }
 
 Scene SceneOptions::scene() const {
-    Scene scene = scene_by_name(name).value_or(Scene{});
+    Scene scene = scene_by_name(name.empty() ? "single" : name).value_or(Scene{});
     if (light.size() == 2) {
         scene.light.theta = light[0];
         scene.light.phi = light[1];
     }
     scene.exposure = exposure;
+    scene.object = make_object(object);
+    if (!environment.empty())
+        scene.environment = {load_environment(environment), rotation, brightness, backdrop,
+                             !name.empty() || !light.empty()};
     return scene;
 }
 
 void add_scene_options(Command& command, SceneOptions& options) {
+    command.option_read_by(
+        [&options](const std::string& text) {
+            options.object = text;
+            return names_object(text);
+        },
+        "--object", "NAME|FILE.obj",
+        fmt::format("must be {} or the path of an .obj file", fmt::join(object_names(), ", ")),
+        fmt::format("{} or an OBJ file (default {})", fmt::join(object_names(), ", "), options.object));
     command
-        .option("--scene", options.name,
-                fmt::format("{} (default {})", fmt::join(scene_names(), ", "), options.name))
+        .option("--scene", options.name, fmt::format("{} (default single)", fmt::join(scene_names(), ", ")))
         .one_of(scene_names());
     command
         .option("--light", options.light,
@@ -52,6 +66,20 @@ void add_scene_options(Command& command, SceneOptions& options) {
         .pair("THETA,PHI")
         .finite_within(-360, 360);
     command.option("--exposure", options.exposure, "EV (default 0)").finite_within(-20, 20);
+    std::vector<std::string> names;
+    for (const EnvironmentName& known : procedural_environments()) names.push_back(known.name);
+    command.option(
+        "--environment", options.environment,
+        fmt::format(
+            "light from all around in place of the lights: {}, or a picture by latitude and longitude",
+            fmt::join(names, ", ")));
+    command.option("--rotation", options.rotation, "turns the environment to the right, degrees (default 0)")
+        .finite_within(-360, 360);
+    command.option("--brightness", options.brightness, "factor of the environment (default 1)")
+        .finite_within(0, 1e4);
+    command.flag("--backdrop", options.backdrop, "shows the environment behind the object");
+    command.option("--samples", options.samples, "a pixel, of the environment's light (default 256)")
+        .within(1, 65536);
 }
 
 }  // namespace nacre::cli

@@ -12,12 +12,21 @@ namespace nacre::cli {
 // --size WxH, pixels.
 void add_size_option(Command& command, glm::ivec2& size, int smallest);
 
-// --scene NAME, --light THETA,PHI and --exposure EV.
+// --object NAME|FILE.obj, --scene NAME, --light THETA,PHI, --exposure EV and what stands around:
+// --environment NAME|FILE, --rotation, --brightness, --backdrop and --samples. Under an environment no light
+// shines that is not asked for.
 struct SceneOptions {
-    std::string name = "single";
-    std::vector<double> light;  // theta, phi; empty: the scene's own
-    double exposure = 0;        // EV
+    std::string object = "sphere";  // see make_object()
+    std::string name;               // empty: "single"
+    std::vector<double> light;      // theta, phi; empty: the scene's own
+    double exposure = 0;            // EV
+    std::string environment;        // empty: none
+    double rotation = 0;            // degrees
+    double brightness = 1;
+    bool backdrop = false;
+    int samples = 256;  // a pixel
 
+    // Makes the object and the environment: what is wrong with their files is a UserError.
     Scene scene() const;
 };
 

@@ -25,13 +25,15 @@ int render(const RenderOptions& options, Interrupt& interrupt) {
         throw std::runtime_error("--compare " + options.compare + ": comparing has not arrived yet");
     const ImageFormat format = image_format(options.image);
     const Design design = load_design(options.design);
+    const Scene scene = options.scene.scene();
     const auto context = make_offscreen_context({16, 16});
     RenderedImage image;
     {
         Progress progress("rendering");
         image = about_file(options.design, [&] {
-            return render_design(design, options.scene.scene(), options.size, format == ImageFormat::exr,
-                                 interrupt.token(), [&](double done) { progress.report(done); });
+            return render_design(
+                design, scene, options.size, format == ImageFormat::exr, interrupt.token(),
+                [&](double done) { progress.report(done); }, options.scene.samples);
         });
     }
     interrupt.write_files([&] { write_image(options.image, image.size, image.rgb); });

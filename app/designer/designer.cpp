@@ -60,7 +60,10 @@ void draw_panel(Designer& designer) {
     designer.layers.thumbnails.update(designer.canvas.distribution(), designer.canvas.revision());
     tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
     tab("Material", [&] { draw_material(design); });
-    tab("Light", [&] { scene_panel(designer.scene); });
+    tab("Light", [&] {
+        designer.environment.rows(designer.scene.environment);
+        scene_panel(designer.scene);
+    });
     tab("Presets", [&] { draw_presets(designer); });
     ImGui::EndTabBar();
 }
@@ -126,7 +129,7 @@ void draw_frame(Designer& designer) {
     Document& document = designer.document;
     // The first tables are baked while the rest of the first frame is drawn.
     if (!designer.preview.has_picture()) ask(designer);
-    if (!designer.files.talking() && !designer.pictures.talking())
+    if (!designer.files.talking() && !designer.pictures.talking() && !designer.environment.talking())
         if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
     const ui::MenuState menu{.can_undo = document.history.can_undo(),
                              .can_redo = document.history.can_redo(),
@@ -148,6 +151,9 @@ void draw_frame(Designer& designer) {
     designer.files.draw(document);
     if (!designer.files.talking())
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+    if (auto surroundings = designer.pictures.take_surroundings())
+        designer.environment.want(surroundings->string());
+    designer.environment.draw(designer.scene.environment);
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
@@ -184,6 +190,8 @@ void perform(Designer& designer, ui::Command command) {
     }
 }
 
-bool in_motion(const Designer& designer) { return !designer.settled; }
+bool in_motion(const Designer& designer) {
+    return !designer.settled || designer.environment.busy() || designer.preview.gathering();
+}
 
 }  // namespace nacre

@@ -10,6 +10,7 @@
 #include "app/designer/bake_job.h"
 #include "app/designer/canvas_pane.h"
 #include "app/designer/document.h"
+#include "app/designer/environment_panel.h"
 #include "app/designer/file_flow.h"
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
@@ -33,6 +34,7 @@ struct Designer {
     CanvasPane canvas;
     FileFlow files;
     PictureDrop pictures;
+    EnvironmentPanel environment;
     Layout layout;
     ui::LayersView layers;
     std::vector<Preset> presets;

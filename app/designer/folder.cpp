@@ -31,7 +31,9 @@ std::string spoken(std::string name) {
 
 }  // namespace
 
-ui::Listing list_folder(const fs::path& folder) {
+ui::Listing list_folder(const fs::path& folder) { return list_files(folder, {extension}); }
+
+ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& endings) {
     ui::Listing listing;
     std::error_code error;
     listing.directory = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
@@ -43,7 +45,10 @@ ui::Listing list_folder(const fs::path& folder) {
         std::error_code unreadable;
         const bool is_directory = it->is_directory(unreadable);
         if (unreadable || name.starts_with('.')) continue;
-        if (is_directory || it->path().extension() == extension)
+        std::string ending = it->path().extension().string();
+        std::transform(ending.begin(), ending.end(), ending.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        if (is_directory || std::find(endings.begin(), endings.end(), ending) != endings.end())
             listing.entries.push_back({name, is_directory});
     }
     if (error) listing.problem = error.message();

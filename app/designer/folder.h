@@ -12,6 +12,9 @@ namespace nacre {
 // Folders and design files, sorted, without hidden ones.
 ui::Listing list_folder(const std::filesystem::path& folder);
 
+// The same with files of any of these endings, in small letters, in place of designs.
+ui::Listing list_files(const std::filesystem::path& folder, const std::vector<std::string>& endings);
+
 struct Preset {
     std::string name;  // of the file, without ".nacre"
     std::filesystem::path file;

@@ -14,7 +14,7 @@
 namespace nacre {
 namespace {
 
-enum Answer { stamp, normals, heights, modulate, cancel };
+enum Answer { stamp, normals, heights, modulate, surround, cancel };
 
 void add_layer_of(const std::vector<dvec3>& normals_found, double width, const std::string& name,
                   Distribution& distribution, std::size_t& chosen) {
@@ -83,6 +83,8 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
             auto raster = std::make_shared<const Raster>(
                 load_picture(file, file.string(), "modulation", PictureShape::any));
             distribution.layers[chosen].modulation = Modulation{{{}, std::move(raster)}, 1};
+        } else if (answer == surround) {
+            surroundings_ = file;
         }
     } catch (const UserError& error) {
         problem_ = error.what();
@@ -100,10 +102,10 @@ void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::Canv
                              "layer with the facets of "
                              "that surface. Modulation multiplies the chosen layer by it. A stamp or a "
                              "modulation that is not square "
-                             "keeps its shape: black is added beside it.";
-    const auto answer =
-        ui::question("A picture", text, {"Stamp", "Normals", "Heights", "Modulation", "Cancel"},
-                     [this] { reading_fields(reading_); });
+                             "keeps its shape: black is added beside it. Surroundings light the object.";
+    const auto answer = ui::question("A picture", text,
+                                     {"Stamp", "Normals", "Heights", "Modulation", "Surroundings", "Cancel"},
+                                     [this] { reading_fields(reading_); });
     if (answer) use(*answer, distribution, chosen, canvas);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/design/design.h"
 #include "ui/hemisphere_canvas.h"
@@ -22,15 +23,20 @@ class PictureDrop {
     void offer(std::filesystem::path file) { file_ = std::move(file); }
 
     // Asks, and acts on the answer: the picture becomes the stamp in hand, a painted layer of its normals or
-    // of its heights, or the chosen layer's modulation.
+    // of its heights, the chosen layer's modulation, or what surrounds the object.
     void draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas);
+
+    // The picture that was said to be of the surroundings, once.
+    std::optional<std::filesystem::path> take_surroundings() {
+        return std::exchange(surroundings_, std::nullopt);
+    }
 
     bool talking() const { return file_ || !problem_.empty(); }
 
   private:
     void use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas);
 
-    std::optional<std::filesystem::path> file_;
+    std::optional<std::filesystem::path> file_, surroundings_;
     std::string problem_;
     ReliefReading reading_;  // as it was last set
 };

@@ -1,9 +1,11 @@
 #include "app/designer/preview_pane.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "app/gl/gl.h"
 #include "app/preview/probe.h"
 #include "ui/item_map.h"
+#include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace nacre {
@@ -20,27 +23,38 @@ namespace {
 constexpr int glow_divisor = 4;        // pixels a texel: the glow is soft
 constexpr double rest_seconds = 0.12;  // without a change until the picture is drawn finely
 
-void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 scale = io.DisplayFramebufferScale;
-    if (ImGui::IsItemActive()) {
-        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-            if (left_is_taken) return;
-            const glm::dvec2 pixel((io.MousePos.x - corner.x) * scale.x,
-                                   (io.MousePos.y - corner.y) * scale.y);
-            move_light_to(scene, pixel, {int(size.x * scale.x), int(size.y * scale.y)});
-        } else {
-            orbit(scene, {io.MouseDelta.x, io.MouseDelta.y});
-        }
-    }
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoom(scene, static_cast<double>(io.MouseWheel));
-}
+// Of an environment's light: seconds of a frame, and samples a pixel while something moves or for a
+// screenshot.
+constexpr double gather_seconds = 0.015;
+constexpr int moving_samples = 64, screenshot_samples = 64;
+constexpr double degrees_per_pixel = 0.4;  // of a drag that turns the surroundings
 
 }  // namespace
 
 void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     preview_.set(std::move(tables));
     stale_ = true;
+}
+
+void PreviewPane::handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActive()) {
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            if (left_is_taken) return;
+            if (!lights_shine(scene)) {
+                // What is reflected follows the pointer: it stands before the object.
+                double& rotation = scene.environment.rotation;
+                rotation = std::remainder(rotation - static_cast<double>(io.MouseDelta.x) * degrees_per_pixel,
+                                          360.0);
+                return;
+            }
+            const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
+            move_light_to(scene, preview_.surface(scene, {int(size.x), int(size.y)}), pixel);
+        } else {
+            orbit(scene, {io.MouseDelta.x, io.MouseDelta.y});
+        }
+    }
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoom(scene, static_cast<double>(io.MouseWheel));
 }
 
 void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool) {
@@ -59,18 +73,32 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(preview_.texture()));
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
     ImGui::GetWindowDrawList()->AddImage(texture, corner, end, ImVec2(0, 1), ImVec2(1, 0));
-    if (glow) draw_glow(scene, *glow, radius, corner, size);
+    if (glow && lights_shine(scene)) draw_glow(scene, *glow, radius, corner, size);
+    draw_progress(corner, size);
 }
 
-// What the pointer on the sphere means to the canvas's tool. Returns whether the left button is the tool's.
+void PreviewPane::draw_progress(ImVec2 corner, ImVec2 size) const {
+    const GatherProgress progress = preview_.progress();
+    if (progress.goal == 0) return;
+    const std::string text =
+        fmt::format("environment {} of {}", std::min(progress.samples, progress.goal), progress.goal);
+    const float margin = 0.7f * ImGui::GetFontSize();
+    ImGui::GetWindowDrawList()->AddText(
+        ImVec2(corner.x + margin, corner.y + size.y - margin - ImGui::GetFontSize()),
+        ImGui::GetColorU32(ui::palette::text_dim), text.c_str());
+}
+
+// What the pointer on the object means to the canvas's tool. Returns whether the left button is the tool's.
 bool PreviewPane::work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto normal = [&](glm::dvec2 pixel) {
-        return half_vector(scene, pixel, {int(size.x), int(size.y)});
+        return half_vector(scene, preview_.surface(scene, {int(size.x), int(size.y)}), pixel);
     };
     const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
     const bool hovered = ImGui::IsItemHovered();
-    pointed_at_ = hovered ? normal(pixel) : std::nullopt;
+    // While the camera turns, what lies under the pointer is not read back in each frame.
+    const bool turning = ImGui::IsItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    pointed_at_ = hovered && !turning ? normal(pixel) : std::nullopt;
     if (io.KeyShift && !tool_works_) return false;
     const bool taken = tool({.surface = ui::Surface::sphere,
                              .hovered = hovered,
@@ -85,7 +113,8 @@ bool PreviewPane::work(const Scene& scene, ImVec2 corner, ImVec2 size, const Too
 }
 
 void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size) {
-    const Glow glow = glow_of(scene, {int(size.x), int(size.y)}, h, radius, glow_divisor);
+    const Glow glow =
+        glow_of(scene, preview_.surface(scene, {int(size.x), int(size.y)}), h, radius, glow_divisor);
     glow_.store(glow.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, glow.rgba.data(), GL_LINEAR);
     const glm::vec2 covered(glow.size * glow_divisor);
     ImGui::GetWindowDrawList()->AddImage(
@@ -100,27 +129,55 @@ void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
         changed_at_ = now;
         last_motion_ = stale_ ? Motion::tables : Motion::scene;
     }
-    const bool moving = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
+    const bool moves = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
+    const Pace pace = insist_on_best_ ? Pace::insisting : moves ? Pace::moving : Pace::resting;
+    const bool gathers = scene.environment.picture != nullptr;
+    const double a_sample = seconds_a_sample_ + (gathers ? preview_.seconds_a_sample() : 0);
     const DrawQuality quality =
-        insist_on_best_ ? best_quality
-                        : choose_quality(seconds_a_sample_, size, moving ? last_motion_ : Motion::none);
-    if (changed || (quality != drawn_quality_ && (insist_on_best_ || !moving))) redraw(scene, size, quality);
+        insist_on_best_ ? best_quality : choose_quality(a_sample, size, moves ? last_motion_ : Motion::none);
+    // What has been gathered is not thrown away for a finer quality.
+    const bool finer = gathers ? pace != drawn_pace_ : quality != drawn_quality_;
+    if (changed || (finer && pace != Pace::moving))
+        redraw(scene, size, quality, pace);
+    else
+        preview_.refine(gather_seconds);
 }
 
-void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality) {
+void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace) {
     const glm::ivec2 texels = glm::max(glm::ivec2(glm::dvec2(size) / quality.divisor), glm::ivec2(1));
-    const auto begin = std::chrono::steady_clock::now();
-    preview_.draw(scene, texels, quality.supersample);
-    glFinish();  // the time that drawing takes decides how finely the next picture is drawn
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    const double samples = double(texels.x) * texels.y * quality.supersample * quality.supersample;
-    // A shader's first picture includes its compilation: the cheapest of late counts, slowly forgotten.
-    const double measured = taken.count() / samples;
-    seconds_a_sample_ = seconds_a_sample_ > 0 ? std::min(measured, seconds_a_sample_ * 1.05) : measured;
+    if (scene.environment.picture)
+        gather(scene, texels, quality.supersample, pace);
+    else
+        measured_draw(scene, texels, quality.supersample);
     drawn_scene_ = scene;
     drawn_size_ = size;
     drawn_quality_ = quality;
+    drawn_pace_ = pace;
     stale_ = false;
+}
+
+// What moves shows at once, with as many samples as there is time for; what rests is gathered from now on,
+// and the picture before it stays until then.
+void PreviewPane::gather(const Scene& scene, glm::ivec2 texels, int supersample, Pace pace) {
+    const int goal = pace == Pace::insisting ? screenshot_samples
+                     : pace == Pace::moving  ? moving_samples
+                                             : usual_samples;
+    preview_.begin(scene, texels, supersample, goal);
+    do {
+        preview_.refine(gather_seconds);
+    } while ((pace == Pace::moving && preview_.progress().samples == 0) ||
+             (pace == Pace::insisting && gathering()));
+}
+
+void PreviewPane::measured_draw(const Scene& scene, glm::ivec2 texels, int supersample) {
+    const auto begin = std::chrono::steady_clock::now();
+    preview_.draw(scene, texels, supersample);
+    glFinish();  // the time that drawing takes decides how finely the next picture is drawn
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    const double samples = double(texels.x) * texels.y * supersample * supersample;
+    // A shader's first picture includes its compilation: the cheapest of late counts, slowly forgotten.
+    const double measured = taken.count() / samples;
+    seconds_a_sample_ = seconds_a_sample_ > 0 ? std::min(measured, seconds_a_sample_ * 1.05) : measured;
 }
 
 }  // namespace nacre

@@ -36,11 +36,23 @@ class PreviewPane {
 
     bool has_picture() const { return !preview_.empty(); }
 
+    // The picture still gathers the light of its surroundings: it differs from frame to frame.
+    bool gathering() const { return preview_.progress().samples < preview_.progress().goal; }
+
+    // What lies under the pixels of a picture of this size.
+    const SurfaceImage& surface(const Scene& scene, glm::ivec2 size) { return preview_.surface(scene, size); }
+
   private:
+    void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken);
     bool work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool);
     void draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);
-    void redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality);
+    enum class Pace { moving, resting, insisting };
+
+    void redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace);
+    void measured_draw(const Scene& scene, glm::ivec2 texels, int supersample);
+    void gather(const Scene& scene, glm::ivec2 texels, int supersample, Pace pace);
+    void draw_progress(ImVec2 corner, ImVec2 size) const;
 
     Preview preview_;
     Texture glow_;
@@ -51,6 +63,7 @@ class PreviewPane {
     Scene drawn_scene_;
     glm::ivec2 drawn_size_{0};
     DrawQuality drawn_quality_;
+    Pace drawn_pace_ = Pace::moving;
     Motion last_motion_ = Motion::none;
     double changed_at_ = 0;  // seconds on Dear ImGui's clock
     double seconds_a_sample_ = 0;

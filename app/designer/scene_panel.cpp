@@ -57,16 +57,7 @@ void light_rows(LightSource& light, const LightSource& usual, const LightLabels&
                  "How bright the light is: \u03c0 shows a white matt surface that faces it as white.");
 }
 
-}  // namespace
-
-void reset_camera(Scene& scene) {
-    const Scene usual;
-    scene.yaw = usual.yaw;
-    scene.pitch = usual.pitch;
-    scene.zoom = usual.zoom;
-}
-
-void scene_panel(Scene& scene) {
+void lights(Scene& scene) {
     const Scene usual;
     light_rows(scene.light, usual.light,
                {"Polar angle##Light polar angle", "Azimuth##Light azimuth", "Strength##Light strength"});
@@ -80,6 +71,20 @@ void scene_panel(Scene& scene) {
     if (scene.ambient)
         strength_row("Strength##Ambient strength", 1, scene.ambient_radiance, usual.ambient_radiance,
                      "How bright the light from everywhere is.");
+}
+
+}  // namespace
+
+void reset_camera(Scene& scene) {
+    const Scene usual;
+    scene.yaw = usual.yaw;
+    scene.pitch = usual.pitch;
+    scene.zoom = usual.zoom;
+}
+
+void scene_panel(Scene& scene) {
+    const Scene usual;
+    if (lights_shine(scene)) lights(scene);
     ui::slider({.label = "Exposure",
                 .low = -8,
                 .high = 8,

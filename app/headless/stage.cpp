@@ -43,6 +43,7 @@ void Stage::wait_for_bake() {
         frame(false);  // submits what the last input changed
     } while (!designer_->settled);
     designer_->baker.wait();
+    designer_->environment.wait();
     frame(false);
 }
 

@@ -1,15 +1,27 @@
-// The sphere: the newest tables, drawn into a texture. Needs a current OpenGL 3.3 core context.
+// The object: the newest tables, drawn into a texture. Needs a current OpenGL 3.3 core context.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 
+#include "app/preview/gathering.h"
+#include "app/preview/geometry_buffer.h"
 #include "app/preview/gl_objects.h"
 #include "app/preview/scene.h"
+#include "app/preview/surface_image.h"
 #include "core/bake/tables.h"
 #include "core/design/design.h"
 
 namespace nacre {
+
+// Samples a pixel that an environment is gathered with; 0 of 0 without one.
+struct GatherProgress {
+    int samples = 0, goal = 0;
+    bool operator==(const GatherProgress&) const = default;
+};
+
+inline constexpr int usual_samples = 1024;
 
 class Preview {
   public:
@@ -20,25 +32,59 @@ class Preview {
     bool empty() const { return !tables_; }
 
     // The developed picture (exposure, filmic curve, sRGB) as RGBA8 in texture(), top row last as OpenGL has
-    // it. `supersample` x `supersample` samples a pixel.
+    // it. `supersample` x `supersample` texels a pixel; of an environment's light one sample a texel.
     void draw(const Scene& scene, glm::ivec2 size, int supersample);
     GLuint texture() const { return developed_.texture().name(); }
 
+    // The same for a picture that an environment lights, in parts: begin() leaves texture() as it is, and
+    // each refine() goes on for about so long, until there are `goal` samples a pixel; what they have shows
+    // as soon as each texel has one.
+    void begin(const Scene& scene, glm::ivec2 size, int supersample, int goal);
+    void refine(double seconds);
+    GatherProgress progress() const;
+
+    // What one sample of one texel took when last refined; 0 where that is not known.
+    double seconds_a_sample() const { return gathers_a_second_ > 0 ? 1 / gathers_a_second_ : 0; }
+
     // The same as numbers: RGBA, bottom row first; developed to sRGB in [0, 1], or linear radiance times
-    // exposure.
-    std::vector<float> picture(const Scene& scene, glm::ivec2 size, int supersample, bool linear);
+    // exposure. With about so many samples a pixel of an environment's light; `go_on` is asked now and then,
+    // with the part that is done.
+    std::vector<float> picture(const Scene& scene, glm::ivec2 size, int supersample, bool linear,
+                               int samples = 1, const std::function<bool(double)>& go_on = {});
+
+    // What lies under the pixels of a picture of this size: read back when the object, the camera or the size
+    // has changed.
+    const SurfaceImage& surface(const Scene& scene, glm::ivec2 size);
 
   private:
-    const Program& sphere_program(const Scene& scene);
-    void draw_radiance(const Scene& scene, glm::ivec2 size, int supersample);
-    void develop(const Scene& scene, glm::ivec2 size, int supersample, bool linear);
+    // A picture that is being drawn.
+    struct Frame {
+        Scene scene;
+        glm::ivec2 size{0};
+        int supersample = 1;
+        int goal = 0;  // samples a texel
+
+        bool gathers() const { return scene.environment.picture != nullptr; }
+    };
+
+    const Program& program_of(const std::string& fragment);
+    const Program& surface_program();
+    void draw_radiance();
+    double gather(double most);
+    void develop(bool linear);
 
     std::shared_ptr<const Tables> tables_;
     Texture data_;
     FullScreen full_screen_;
     Program develop_;
-    std::map<std::string, std::unique_ptr<Program>> spheres_;  // by the text of their fragment shader
+    std::map<std::string, std::unique_ptr<Program>> programs_;  // by the text of their fragment shader
+    GeometryBuffer geometry_;
+    GeometryBuffer pixel_geometry_;
+    SurfaceImage surface_;
     Target radiance_;
+    Gathering gathering_;
+    Frame frame_;
+    double gathers_a_second_ = 0;  // samples of single texels; 0 until measured
     Target developed_;
 };
 

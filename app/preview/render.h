@@ -15,8 +15,10 @@ struct RenderedImage {
     std::vector<float> rgb;  // top row first; sRGB in [0, 1], or linear radiance times exposure
 };
 
-// Four samples a pixel. Needs a current OpenGL 3.3 core context; throws what bake() throws.
+// Four texels a pixel, and `samples` a pixel of an environment's light. Needs a current OpenGL 3.3 core
+// context; throws what bake() throws.
 RenderedImage render_design(const Design& design, const Scene& scene, glm::ivec2 size, bool linear,
-                            std::stop_token stop = {}, const std::function<void(double)>& progress = {});
+                            std::stop_token stop = {}, const std::function<void(double)>& progress = {},
+                            int samples = 256);
 
 }  // namespace nacre

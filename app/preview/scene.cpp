@@ -23,6 +23,8 @@ std::optional<Scene> scene_by_name(std::string_view name) {
     return scene;
 }
 
+bool lights_shine(const Scene& scene) { return !scene.environment.picture || scene.environment.with_lights; }
+
 glm::dvec3 light_direction(const LightSource& light) {
     const double sine = std::sin(light.theta * radians);
     return {sine * std::cos(light.phi * radians), sine * std::sin(light.phi * radians),
@@ -31,7 +33,8 @@ glm::dvec3 light_direction(const LightSource& light) {
 
 glm::dmat3 object_to_view(const Scene& scene) {
     const double cy = std::cos(scene.yaw * radians), sy = std::sin(scene.yaw * radians);
-    const double cp = std::cos(scene.pitch * radians), sp = std::sin(scene.pitch * radians);
+    const double pitch = (scene.object.pitch + scene.pitch) * radians;
+    const double cp = std::cos(pitch), sp = std::sin(pitch);
     const glm::dmat3 turn{{cy, 0, -sy}, {0, 1, 0}, {sy, 0, cy}};
     const glm::dmat3 lean{{1, 0, 0}, {0, cp, sp}, {0, -sp, cp}};
     return lean * turn;
@@ -39,14 +42,6 @@ glm::dmat3 object_to_view(const Scene& scene) {
 
 double pixels_per_unit(const Scene& scene, glm::ivec2 size) {
     return sphere_part * scene.zoom * std::min(size.x, size.y);
-}
-
-std::optional<glm::dvec3> sphere_point(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size) {
-    const double unit = pixels_per_unit(scene, size);
-    const double x = (pixel.x - 0.5 * size.x) / unit, y = (0.5 * size.y - pixel.y) / unit;
-    const double r2 = x * x + y * y;
-    if (!(r2 <= 1)) return {};
-    return glm::dvec3{x, y, std::sqrt(1 - r2)};
 }
 
 }  // namespace nacre

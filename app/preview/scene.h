@@ -4,10 +4,14 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "app/preview/object.h"
+#include "core/light/environment.h"
 
 namespace nacre {
 
@@ -21,14 +25,28 @@ struct LightSource {
     bool operator==(const LightSource&) const = default;
 };
 
+// Light from all around, and whether it is seen behind the object. It stays with the viewer while the object
+// turns.
+struct Surroundings {
+    std::shared_ptr<const Environment> picture;  // none: the lights alone
+    double rotation = 0;    // degrees about the vertical: what is behind the object moves right
+    double brightness = 1;  // factor
+    bool visible = false;
+    bool with_lights = false;  // the scene's lights shine too
+
+    bool operator==(const Surroundings&) const = default;
+};
+
 struct Scene {
+    SceneObject object;
     LightSource light;
     bool second_light = false;
     LightSource second{75, -25, {0.9, 1.0, 1.2}};
     bool ambient = false;
     glm::dvec3 ambient_radiance{0.12};
+    Surroundings environment;
     double exposure = 0;  // EV
-    double yaw = 0;       // degrees, orbit about the sphere's axis
+    double yaw = 0;       // degrees, orbit about the object's y axis
     double pitch = 0;     // degrees, the axis leans toward the viewer
     double zoom = 1;
 
@@ -39,16 +57,17 @@ struct Scene {
 std::vector<std::string> scene_names();
 std::optional<Scene> scene_by_name(std::string_view name);
 
+// Whether the lights shine: where an environment does, only if they are to.
+bool lights_shine(const Scene& scene);
+
 // Unit vector toward a light, view space.
 glm::dvec3 light_direction(const LightSource& light);
 
-// The sphere turns by yaw about its own axis, which then leans toward the viewer by pitch.
+// The object turns by yaw about its own y axis, which then leans toward the viewer by its own pitch and the
+// camera's.
 glm::dmat3 object_to_view(const Scene& scene);
 
-// Pixels that one unit of view space (the sphere's radius) takes.
+// Pixels that one unit of view space (about the object's radius) takes.
 double pixels_per_unit(const Scene& scene, glm::ivec2 size);
-
-// The sphere's unit normal, view space, under a pixel (from the top left corner); nothing beside the sphere.
-std::optional<glm::dvec3> sphere_point(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size);
 
 }  // namespace nacre

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "core/design/design.h"
+#include "core/light/lat_long.h"
 
 namespace nacre {
 
 enum class PictureShape {
-    square,  // any other is an error
-    any      // one that is not square is letterboxed()
+    square,   // any other is an error
+    any,      // as a Raster, one that is not square is letterboxed()
+    lat_long  // twice as wide as high
 };
 
 // The luminance (Rec. 709) of a picture as a square raster, a larger one averaged down to limits::raster_max.
@@ -31,5 +33,10 @@ struct ColourPicture {
 
 // For pictures that are no looks but data, such as normals. A UserError of the picture itself.
 ColourPicture load_colours(const std::filesystem::path& file);
+
+// A surrounding by latitude and longitude, twice as wide as high; one that is wider than 2048 texels is
+// averaged down. Float pictures are linear radiance, integers are decoded from sRGB. A UserError of the
+// picture itself.
+LatLong load_lat_long(const std::filesystem::path& file);
 
 }  // namespace nacre

@@ -47,11 +47,14 @@ const PictureModule& pictures() {
 
 }  // namespace
 
-Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where) {
-    return pictures().load_picture(file, error_file, error_where);
+Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where,
+                    PictureShape shape) {
+    return pictures().load_picture(file, error_file, error_where, shape);
 }
 
 ColourPicture load_colours(const fs::path& file) { return pictures().load_colours(file); }
+
+LatLong load_lat_long(const fs::path& file) { return pictures().load_lat_long(file); }
 
 void write_png(const fs::path& file, glm::ivec2 size, std::span<const std::uint8_t> pixels) {
     pictures().write_png(file, size, pixels);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cassert>
+#include <vector>
 
 #include "shaders/shader_text.h"
 
@@ -15,6 +16,14 @@ std::string text_of(std::string_view name) {
     const std::string_view text = shader_text(name);
     assert(!text.empty());
     return std::string(text);
+}
+
+// The files that a shader builds upon, in order.
+std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string_view main) {
+    if (main == "gather.frag") return {"seen.glsl", "environment.glsl", "draw.glsl"};
+    if (main != "surface.frag") return {};
+    if (variant.surroundings) return {"seen.glsl", "environment.glsl"};
+    return {"seen.glsl"};
 }
 
 }  // namespace
@@ -59,6 +68,7 @@ std::string variant_definitions(const ShaderVariant& variant) {
     define("DIFFUSE_METAL", variant.kinds.diffuse == DiffuseKind::metal);
     define("SECOND_LIGHT", variant.second_light);
     define("AMBIENT_LIGHT", variant.ambient);
+    define("SURROUNDINGS", variant.surroundings);
     text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
     for (const char* kind : {"FRESNEL_IS_SCHLICK", "FRESNEL_IS_DIELECTRIC", "FRESNEL_IS_CONDUCTOR",
                              "VISIBILITY_IS_CORRELATED", "VISIBILITY_IS_SMITH", "READS_ALBEDO"})
@@ -79,8 +89,10 @@ std::string shared_mathematics() {
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
-    return "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
-           text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n" + text_of(main);
+    std::string text = "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
+                       text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n";
+    for (const std::string_view part : parts_of(variant, main)) text += text_of(part) + "\n";
+    return text + text_of(main);
 }
 
 }  // namespace nacre

@@ -16,6 +16,7 @@ struct ShaderVariant {
     ShadingKinds kinds;
     bool second_light = false;
     bool ambient = false;
+    bool surroundings = false;  // an environment stands behind the object
 
     bool operator==(const ShaderVariant&) const = default;
 };
@@ -29,7 +30,7 @@ std::string variant_definitions(const ShaderVariant& variant);
 std::string shared_parameters();
 std::string shared_mathematics();
 
-// A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "sphere.frag".
+// A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "surface.frag".
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main);
 
 }  // namespace nacre

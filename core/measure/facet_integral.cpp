@@ -22,15 +22,6 @@ bool holds_picture(const Layer& layer) {
     return layer.modulation.has_value() || std::holds_alternative<PaintedLobe>(layer.lobe);
 }
 
-// The hemispheres of a lobe; those of a modulated lobe are its base's, and a painting fills the upper one.
-std::vector<LobeSpan> spans_of(const Layer& layer, const PlacedLobe& placed) {
-    if (std::holds_alternative<PaintedLobe>(layer.lobe)) return {LobeSpan{}};
-    if (!layer.modulation) return placed.lobe->spans();
-    Layer base = layer;
-    base.modulation.reset();
-    return make_lobe(base)->spans();
-}
-
 // p and (k.h)+ p over one hemisphere, the second divided by `unit`.
 class SpanIntegral {
   public:
@@ -112,7 +103,7 @@ FacetIntegral integrate_facets(const Distribution& design, const FacetDistributi
     FacetIntegral sum;
     for (const PlacedLobe& placed : distribution.lobes()) {
         const Layer& layer = design.layers[placed.layer];
-        for (const LobeSpan& span : spans_of(layer, placed)) {
+        for (const LobeSpan& span : placed.lobe->domains()) {
             const SpanIntegral integral(placed, span, k, unit, check_tolerance, stop);
             const Pair values = holds_picture(layer) ? integral.on_grid() : integral.adaptive();
             sum.whole += values[0];

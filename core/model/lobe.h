@@ -70,6 +70,9 @@ class LobeModel {
     // The hemispheres that hold the lobe; empty for a lobe that is a set of facets.
     virtual std::vector<LobeSpan> spans() const = 0;
 
+    // The same of every lobe: in these coordinates a picture alone is narrow.
+    virtual std::vector<LobeSpan> domains() const { return spans(); }
+
     // The facets of a lobe that has no smooth form: about `count` at the most, or all with 0.
     virtual std::vector<Facet> facets(std::size_t count) const;
 

@@ -111,6 +111,7 @@ class Painted final : public LobeModel {
     double projected_area(dvec3 k) const override { return pyramid_->projected_area(k); }
     dvec3 mean() const override { return pyramid_->mean(); }
     std::vector<LobeSpan> spans() const override { return {}; }
+    std::vector<LobeSpan> domains() const override { return {LobeSpan{}}; }
     std::vector<Facet> facets(std::size_t count) const override { return pyramid_->facets(count); }
 
     // A cell by descent, then a place in it by rejection; p is bilinear on the quarters of a cell, so that
@@ -213,6 +214,7 @@ class Modulated final : public LobeModel {
     }
 
     std::vector<LobeSpan> spans() const override { return {}; }
+    std::vector<LobeSpan> domains() const override { return base_->domains(); }
 
     std::vector<Facet> facets(std::size_t count) const override {
         std::vector<Facet> all;

@@ -27,6 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int channels_max = 8;
+constexpr int lat_long_max = 8192;   // pixels a side of a file ...
+constexpr int lat_long_kept = 2048;  // ... and of what is kept of it
 
 // A picture that cannot be used, with the reason.
 struct PictureProblem : std::runtime_error {
@@ -70,9 +72,13 @@ void check_header(const OIIO::ImageSpec& spec, PictureShape shape) {
     if (shape == PictureShape::square && spec.width != spec.height)
         throw PictureProblem(
             fmt::format("{} x {} pixels, a picture must be square", spec.width, spec.height));
-    if (std::max(spec.width, spec.height) > limits::picture_max)
+    if (shape == PictureShape::lat_long && spec.width != 2 * spec.height)
         throw PictureProblem(
-            fmt::format("{} x {} pixels, more than {} a side", spec.width, spec.height, limits::picture_max));
+            fmt::format("{} x {} pixels, must be twice as wide as high", spec.width, spec.height));
+    const int most = shape == PictureShape::lat_long ? lat_long_max : limits::picture_max;
+    if (std::max(spec.width, spec.height) > most)
+        throw PictureProblem(
+            fmt::format("{} x {} pixels, more than {} a side", spec.width, spec.height, most));
     if (spec.nchannels < 1 || spec.nchannels > channels_max)
         throw PictureProblem(fmt::format("{} channels, must be 1 to {}", spec.nchannels, channels_max));
     if (spec.tile_width > limits::picture_max || spec.tile_height > limits::picture_max ||
@@ -204,6 +210,46 @@ ColourPicture read_colours(OIIO::ImageInput& input, const OIIO::ImageSpec& spec)
     return picture;
 }
 
+// The mean over each of fewer texels; whole texels of the picture go into each.
+LatLong averaged_down(const ColourPicture& picture, int width) {
+    LatLong light{width, width / 2, {}};
+    light.radiance.reserve(static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height));
+    const auto first = [](int i, int of, int among) {
+        return static_cast<int>(std::int64_t{i} * among / of);
+    };
+    for (int row = 0; row < light.height; ++row)
+        for (int column = 0; column < light.width; ++column) {
+            glm::dvec3 sum{0};
+            int count = 0;
+            for (int y = first(row, light.height, picture.height);
+                 y < first(row + 1, light.height, picture.height); ++y)
+                for (int x = first(column, width, picture.width); x < first(column + 1, width, picture.width);
+                     ++x) {
+                    sum += glm::dvec3(picture.colours[static_cast<std::size_t>(y) *
+                                                          static_cast<std::size_t>(picture.width) +
+                                                      static_cast<std::size_t>(x)]);
+                    ++count;
+                }
+            light.radiance.emplace_back(sum / static_cast<double>(count));
+        }
+    return light;
+}
+
+LatLong read_lat_long(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+    ColourPicture picture = read_colours(input, spec);
+    const bool encoded = !spec.format.is_floating_point();
+    for (std::size_t i = 0; i < picture.colours.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            float& value = picture.colours[i][c];
+            if (value < 0)
+                throw PictureProblem(fmt::format("pixel ({}, {}) from the top left is {}, must be >= 0",
+                                                 i % static_cast<std::size_t>(spec.width),
+                                                 i / static_cast<std::size_t>(spec.width), value));
+            if (encoded) value = static_cast<float>(decode_srgb(static_cast<double>(value)));
+        }
+    return averaged_down(picture, std::min(spec.width, lat_long_kept));
+}
+
 template <class Load>
 auto or_reason(const Load& load, std::string& reason) -> std::optional<decltype(load())> {
     try {
@@ -230,6 +276,14 @@ ColourPicture load_colours(const fs::path& file) {
     if (auto picture = or_reason([&] { return with_picture(file, PictureShape::any, read_colours); }, reason))
         return *std::move(picture);
     throw UserError(file.string(), "read", "the picture cannot be used", reason);
+}
+
+LatLong load_lat_long(const fs::path& file) {
+    std::string reason;
+    if (auto light =
+            or_reason([&] { return with_picture(file, PictureShape::lat_long, read_lat_long); }, reason))
+        return *std::move(light);
+    throw UserError(file.string(), "read", "the picture cannot be used as an environment", reason);
 }
 
 }  // namespace nacre

@@ -5,6 +5,7 @@
 [[gnu::visibility("default")]] const nacre::PictureModule* nacre_picture_module() {
     static constexpr nacre::PictureModule module{.load_picture = nacre::load_picture,
                                                  .load_colours = nacre::load_colours,
+                                                 .load_lat_long = nacre::load_lat_long,
                                                  .write_png = nacre::write_png,
                                                  .write_exr = nacre::write_exr};
     return &module;

@@ -1,0 +1,150 @@
+#include "app/designer/environment_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "app/designer/folder.h"
+#include "core/exchange/environment_file.h"
+#include "core/light/procedural.h"
+#include "ui/item_map.h"
+#include "ui/widgets.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+ui::Listing list_pictures(const fs::path& folder) {
+    return list_files(folder, {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"});
+}
+
+std::string reason_of(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const std::exception& problem) {
+        return problem.what();
+    }
+}
+
+// A list whose entries can be found by their labels. Returns whether another was chosen.
+bool choose(const std::vector<std::string>& labels, std::size_t& chosen) {
+    constexpr const char* about =
+        "Light from all around in place of the lights: a picture of the surroundings by latitude and "
+        "longitude, "
+        "whose middle stands behind the object. The preview grows finer while nothing moves.";
+    const std::size_t before = chosen;
+    ui::row_label("Environment", about);
+    if (ImGui::BeginCombo("##Environment", labels[chosen].c_str())) {
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (ImGui::Selectable(labels[i].c_str(), i == before)) chosen = i;
+            ui::note_item(labels[i].c_str());
+        }
+        ImGui::EndCombo();
+    }
+    ui::note_item("Environment");
+    ui::tooltip_for_item(about);
+    return chosen != before;
+}
+
+bool is_procedural(const std::string& name) {
+    const auto& known = procedural_environments();
+    return std::any_of(known.begin(), known.end(), [&](const EnvironmentName& e) { return e.name == name; });
+}
+
+}  // namespace
+
+EnvironmentPanel::EnvironmentPanel()
+    : job_([](const std::string& name, const std::stop_token&, const auto& publish) {
+          publish(load_environment(name));
+      }) {}
+
+void EnvironmentPanel::want(std::string name_or_file) {
+    wanted_ = std::move(name_or_file);
+    asked_ = job_.submit(*wanted_);
+}
+
+void EnvironmentPanel::rows(Surroundings& surroundings) {
+    std::string present = surroundings.picture ? surroundings.picture->name : "";
+    if (wanted_) present = *wanted_;
+    if (!present.empty() && !is_procedural(present)) last_file_ = present;
+
+    std::vector<std::string> names = {""}, labels = {"None"};
+    for (const EnvironmentName& known : procedural_environments()) {
+        names.push_back(known.name);
+        labels.push_back(known.label);
+    }
+    if (!last_file_.empty()) {
+        names.push_back(last_file_);
+        labels.push_back(fs::path(last_file_).filename().string());
+    }
+    labels.emplace_back("Open picture\u2026");
+    auto chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), present) - names.begin());
+    if (choose(labels, chosen)) {
+        if (chosen == names.size()) {
+            dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::open,
+                                     .listing = list_pictures(fs::path(last_file_).parent_path()),
+                                     .path = {},
+                                     .problem = {}};
+        } else if (chosen == 0) {
+            surroundings.picture.reset();
+            wanted_.reset();
+        } else {
+            want(names[chosen]);
+        }
+    }
+    if (!surroundings.picture) return;
+    const Surroundings usual;
+    ui::slider(
+        {.label = "Turn##Environment turn",
+         .low = -180,
+         .high = 180,
+         .least = -360,
+         .most = 360,
+         .reset = usual.rotation,
+         .format = "%.1f\u00b0",
+         .logarithmic = false,
+         .tooltip =
+             "Turns the surroundings about the vertical, to the right. Dragging on the object does too."},
+        surroundings.rotation);
+    ui::slider({.label = "Brightness##Environment brightness",
+                .low = 0.05,
+                .high = 20,
+                .least = 0,
+                .most = 1e4,
+                .reset = usual.brightness,
+                .format = "%.2f",
+                .logarithmic = true,
+                .tooltip = "A factor of the light from all around."},
+               surroundings.brightness);
+    ui::checkbox("Backdrop", surroundings.visible, "Shows the surroundings behind the object.");
+    ui::checkbox("Lights too", surroundings.with_lights,
+                 "The lights below shine together with the surroundings.");
+}
+
+void EnvironmentPanel::draw(Surroundings& surroundings) {
+    if (auto published = job_.poll(); published && wanted_ && published->revision == asked_) {
+        const std::string name = *std::exchange(wanted_, std::nullopt);
+        if (published->result) {
+            surroundings.picture = *std::move(published->result);
+        } else {
+            problem_ = reason_of(published->error);
+            if (last_file_ == name) last_file_.clear();
+        }
+    }
+    if (!problem_.empty()) {
+        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+    } else if (dialog_) {
+        fs::path chosen;
+        const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_pictures, chosen);
+        if (answer == ui::DialogAnswer::none) return;
+        dialog_.reset();
+        if (answer == ui::DialogAnswer::accepted) want(chosen.string());
+    }
+}
+
+}  // namespace nacre

@@ -1,0 +1,107 @@
+#include "app/preview/geometry_buffer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/preview/upload.h"
+#include "shaders/shader_text.h"
+
+namespace nacre {
+namespace {
+
+constexpr int samples_most = 8;  // of a texel's coverage
+
+std::string text(const char* name) { return std::string(shader_text(name)); }
+
+void attach(GLuint framebuffer, GLenum attachment, GLuint renderbuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer);
+}
+
+}  // namespace
+
+GeometryBuffer::GeometryBuffer()
+    : sphere_(text("full_screen.vert"), text("geometry.glsl") + text("sphere.frag")),
+      mesh_(text("mesh.vert"), text("geometry.glsl") + text("mesh.frag")),
+      outline_(text("mesh.vert"), text("outline.frag")),
+      coverage_(text("full_screen.vert"), text("coverage.frag")) {}
+
+bool GeometryBuffer::update(const Scene& scene, glm::ivec2 size) {
+    const View view{scene.object.mesh, size, object_to_view(scene), pixels_per_unit(scene, size)};
+    if (drawn_ == view) return false;
+    drawn_.reset();
+    if (view.mesh) {
+        draw_mesh(view);
+        draw_coverage(view);
+    } else {
+        target_.bind(size, GL_RGBA32F);
+        use(sphere_, view);
+        full_screen_.draw();
+    }
+    drawn_ = view;
+    return true;
+}
+
+void GeometryBuffer::use(const Program& program, const View& view) const {
+    glUseProgram(program.name());
+    set_uniform(program, "target_size", glm::dvec2(view.size));
+    set_uniform(program, "texels_per_unit", view.pixels_per_unit);
+    set_uniform(program, "object_to_view", view.object_to_view);
+}
+
+void GeometryBuffer::resize(glm::ivec2 size) {
+    if (size == size_) return;
+    GLint samples = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &samples);
+    depth_.store(size, GL_DEPTH_COMPONENT32F, 0);
+    samples_.store(size, GL_R8, std::min(samples, samples_most));
+    attach(many_samples_.name(), GL_COLOR_ATTACHMENT0, samples_.name());
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::runtime_error("OpenGL cannot draw into a picture of this size");
+    size_ = size;
+}
+
+void GeometryBuffer::draw_mesh(const View& view) {
+    if (stored_ != view.mesh) triangles_.store(*view.mesh);
+    stored_ = view.mesh;
+    resize(view.size);
+    target_.bind(view.size, GL_RGBA32F);
+    attach(target_.name(), GL_DEPTH_ATTACHMENT, depth_.name());
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    use(mesh_, view);
+    triangles_.draw();
+    glDisable(GL_DEPTH_TEST);
+    attach(target_.name(), GL_DEPTH_ATTACHMENT, 0);  // a picture of another size would be cut to its size
+}
+
+// Into the part of the geometry buffer that holds it.
+void GeometryBuffer::draw_coverage(const View& view) {
+    glBindFramebuffer(GL_FRAMEBUFFER, many_samples_.name());
+    glClear(GL_COLOR_BUFFER_BIT);
+    use(outline_, view);
+    triangles_.draw();
+    covered_.bind(view.size, GL_R8);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, many_samples_.name());
+    glBlitFramebuffer(0, 0, view.size.x, view.size.y, 0, 0, view.size.x, view.size.y, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    target_.bind(view.size, GL_RGBA32F);
+    glUseProgram(coverage_.name());
+    covered_.texture().bind(0);
+    set_uniform(coverage_, "coverage", 0);
+    glDrawBuffer(GL_COLOR_ATTACHMENT0);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    full_screen_.draw();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+SurfaceImage GeometryBuffer::read() const {
+    if (!drawn_) return {};
+    return {drawn_->size, drawn_->pixels_per_unit, target_.read(0), target_.read(1)};
+}
+
+}  // namespace nacre

@@ -1,0 +1,38 @@
+#include "app/preview/object.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/exchange/obj_file.h"
+#include "core/geometry/shapes.h"
+#include "core/geometry/tablecloth.h"
+
+namespace nacre {
+namespace {
+
+SceneObject with_mesh(const std::string& name, Mesh mesh, double pitch) {
+    return {name, std::make_shared<const Mesh>(std::move(mesh)), pitch};
+}
+
+}  // namespace
+
+std::vector<std::string> object_names() { return {"sphere", "torus", "plate", "tablecloth"}; }
+
+bool names_object(const std::string& name) {
+    const std::vector<std::string> names = object_names();
+    if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+    std::string extension = std::filesystem::path(name).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension == ".obj";
+}
+
+SceneObject make_object(const std::string& name) {
+    if (name == "sphere") return {};
+    if (name == "torus") return with_mesh(name, torus(), 50);
+    if (name == "plate") return with_mesh(name, plate(), 0);
+    if (name == "tablecloth") return with_mesh(name, cloth_mesh(draped_cloth()), 24);
+    return with_mesh(name, load_obj(name), 15);
+}
+
+}  // namespace nacre

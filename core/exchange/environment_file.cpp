@@ -1,0 +1,14 @@
+#include "core/exchange/environment_file.h"
+
+#include "core/exchange/picture.h"
+#include "core/light/procedural.h"
+
+namespace nacre {
+
+std::shared_ptr<const Environment> load_environment(const std::string& name_or_file) {
+    if (auto picture = procedural_environment(name_or_file))
+        return make_environment(name_or_file, *std::move(picture));
+    return make_environment(name_or_file, load_lat_long(name_or_file));
+}
+
+}  // namespace nacre

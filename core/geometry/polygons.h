@@ -1,0 +1,32 @@
+// A mesh out of what a file gives: corners that share positions, and normals and tangents only where somebody
+// made them.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "core/geometry/mesh.h"
+
+namespace nacre {
+
+constexpr int absent = -1;
+
+struct Triangles {
+    struct Corner {
+        int position = 0;
+        int normal = absent;
+        int uv = absent;
+    };
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec2> uvs;
+    std::vector<std::array<Corner, 3>> faces;  // indices within the fields above
+};
+
+// Missing normals are those of the faces around a position that lie within `crease` degrees, weighted by
+// their angle there (Thuermer and Wuethrich 1998): edges that are sharper stay sharp. Tangents run along
+// increasing u (Lengyel 2001); they are 0 where u is missing or does not vary. Faces without area are left
+// out. All positions are finite.
+Mesh mesh_of(const Triangles& triangles, double crease = 50);
+
+}  // namespace nacre

@@ -1,0 +1,28 @@
+// What surrounds the object, ready to be looked up and to be drawn from.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/light/direction_order.h"
+#include "core/light/lat_long.h"
+
+namespace nacre {
+
+struct Environment {
+    std::string name;  // of a procedural one, or the file
+    LatLong picture;
+    // Directions by the mean of the picture's three colours, its bilinear rule included. Where all is dark
+    // they are any.
+    DirectionOrder light;
+    double brightness = 0;  // the integral of that mean over the sphere
+
+    // The density, per steradian, that `light` has where the picture has this radiance.
+    double light_density(glm::dvec3 radiance) const {
+        return brightness > 0 ? (radiance.x + radiance.y + radiance.z) / (3 * brightness) : 0;
+    }
+};
+
+std::shared_ptr<const Environment> make_environment(std::string name, LatLong picture);
+
+}  // namespace nacre

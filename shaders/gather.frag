@@ -1,0 +1,78 @@
+// Light of the surroundings that the object reflects toward a distant viewer: a sum over samples, to be added to
+// those before. A sample draws one visible facet of p and one direction of light, and weighs both by the balance
+// heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
+
+uniform sampler2D facet_order;
+uniform sampler2D light_order;
+uniform float light_scale;  // from the picture's radiance to the density that light is drawn with, 1/sr
+uniform int first_sample;
+uniform int samples;
+
+uniform float environment_brightness;  // factor
+
+out vec4 gathered;  // radiance times coverage, and the number of samples
+
+// What both ways of drawing have in common: rho L (k1.n) over the sum of their densities.
+vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
+    vec3 sum = k1 + viewer.k;
+    vec2 place = lat_long_place(toward);
+    vec3 light = environment_radiance(place);
+    float by_light = irradiance > 0.0 ? dot(light, vec3(light_scale)) * k1.z / irradiance : 0.0;
+    float by_facets = viewer.g > 0.0 ? density(sum / length(sum)) / (4.0 * viewer.g) : 0.0;
+    float either = by_light + by_facets;
+    if (!(either > 0.0)) return vec3(0.0);
+    return brdf_of(direction(k1), viewer) * light * (k1.z / either);
+}
+
+vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at) {
+    if (!(viewer.g > 0.0)) return vec3(0.0);
+    Drawn facet = draw(facet_order, viewer.k, at);
+    float kh = dot(viewer.k, facet.direction);
+    vec3 k1 = normalize(2.0 * kh * facet.direction - viewer.k);
+    if (facet.weight <= 0.0 || kh <= 0.0 || k1.z <= 0.0) return vec3(0.0);
+    return reflected(viewer, k1, to_environment * k1, irradiance) * (facet.weight * kh / viewer.g);
+}
+
+vec3 by_light(Direction viewer, mat3 to_environment, float irradiance, float at) {
+    Drawn light = draw(light_order, to_environment[2], at);
+    vec3 k1 = light.direction * to_environment;
+    if (light.weight <= 0.0 || k1.z <= 0.0) return vec3(0.0);
+    return reflected(viewer, k1, light.direction, irradiance) * (light.weight * k1.z / irradiance);
+}
+
+// Base 2: sample number i of van der Corput's sequence (1935).
+float radical_inverse(uint i) {
+    i = (i << 16) | (i >> 16);
+    i = ((i & 0x00ff00ffu) << 8) | ((i & 0xff00ff00u) >> 8);
+    i = ((i & 0x0f0f0f0fu) << 4) | ((i & 0xf0f0f0f0u) >> 4);
+    i = ((i & 0x33333333u) << 2) | ((i & 0xccccccccu) >> 2);
+    i = ((i & 0x55555555u) << 1) | ((i & 0xaaaaaaaau) >> 1);
+    return float(i >> 8) / 16777216.0;
+}
+
+// Where a texel's sequence begins, so that neighbours err apart (Cranley & Patterson 1976): a hash of its place, the
+// same in every run.
+float turn(uvec2 texel) {
+    uint x = texel.x * 1664525u + texel.y * 22695477u + 1013904223u;
+    x = (x ^ (x >> 16)) * 2246822519u;
+    x = (x ^ (x >> 13)) * 3266489917u;
+    return float((x ^ (x >> 16)) >> 8) / 16777216.0;
+}
+
+void main() {
+    gathered = vec4(0.0, 0.0, 0.0, float(samples));
+    Seen seen = seen_at(ivec2(gl_FragCoord.xy));
+    if (seen.coverage <= 0.0 || seen.normal.z <= 0.0) return;
+    mat3 frame = mat3(seen.tangent, cross(seen.normal, seen.tangent), seen.normal);
+    Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
+    mat3 to_environment = view_to_environment * frame;
+    float irradiance = all_seen(light_order, to_environment[2]);
+    float start = turn(uvec2(gl_FragCoord.xy));
+    vec3 sum = vec3(0.0);
+    for (int i = first_sample; i < first_sample + samples; ++i) {
+        float at = fract(start + radical_inverse(uint(i)));
+        sum += by_facet(viewer, to_environment, irradiance, at);
+        sum += by_light(viewer, to_environment, irradiance, fract(at + 0.5));
+    }
+    gathered.rgb = environment_brightness * sum * seen.coverage;
+}

@@ -1,0 +1,67 @@
+// An object of the surface under small distant lights, seen by a distant viewer. Linear radiance.
+// View space: x right, y up, z toward the viewer; all objects have a radius of about 1.
+
+uniform vec2 target_size;       // texels
+uniform float texels_per_unit;  // of view space
+uniform vec3 light_direction;   // toward the light, view space
+uniform vec3 light_irradiance;  // on a surface that faces it
+#if SECOND_LIGHT
+uniform vec3 second_direction;
+uniform vec3 second_irradiance;
+#endif
+#if AMBIENT_LIGHT
+uniform vec3 ambient_radiance;
+#endif
+#if SURROUNDINGS
+uniform float environment_brightness;  // factor
+uniform float background_slope;  // of the view's rays, per unit of view space beside the middle
+#else
+uniform vec3 background;  // linear radiance at the centre
+#endif
+
+out vec4 radiance;
+
+vec3 lit(Direction viewer, mat3 frame, vec3 toward, vec3 irradiance) {
+    vec3 k1 = toward * frame;
+    if (k1.z <= 0.0 || viewer.k.z <= 0.0) return vec3(0.0);
+    return brdf_of(direction(k1), viewer) * irradiance * k1.z;
+}
+
+// The radiance toward the viewer of a surface whose tangent, bitangent and normal are the columns of `frame`,
+// in view space.
+vec3 shade(mat3 frame) {
+    Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
+    vec3 sum = lit(viewer, frame, light_direction, light_irradiance);
+#if SECOND_LIGHT
+    sum += lit(viewer, frame, second_direction, second_irradiance);
+#endif
+#if AMBIENT_LIGHT
+    sum += total_albedo(viewer) * ambient_radiance;
+#endif
+    return sum;
+}
+
+#if SURROUNDINGS
+// What stands behind the object, seen in perspective: the object's own viewer is too far away to see more than a
+// point of it.
+vec3 wall(vec2 at) {
+    vec3 ray = normalize(vec3(at * background_slope, -1.0));
+    return environment_brightness * environment_radiance(lat_long_place(view_to_environment * ray));
+}
+#else
+// A quiet wall: brighter behind the object, falling off toward the corners.
+vec3 wall(vec2 at) {
+    float r2 = dot(at, at);
+    return background / (1.0 + 0.35 * r2 + 0.05 * r2 * r2);
+}
+#endif
+
+void main() {
+    vec3 colour = wall((gl_FragCoord.xy - 0.5 * target_size) / texels_per_unit);
+    Seen seen = seen_at(ivec2(gl_FragCoord.xy));
+    if (seen.coverage > 0.0) {
+        mat3 frame = mat3(seen.tangent, cross(seen.normal, seen.tangent), seen.normal);
+        colour = mix(colour, shade(frame), seen.coverage);
+    }
+    radiance = vec4(colour, 1.0);
+}

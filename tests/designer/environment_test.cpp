@@ -1,0 +1,73 @@
+// Surroundings in the designer: chosen, dropped, turned by hand, and at rest once they are gathered.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "core/exchange/image_file.h"
+#include "tests/designer/rig.h"
+
+using namespace nacre;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Rig : test::Rig {
+    fs::path folder = fs::temp_directory_path() / ("nacre-environment-test-" + std::to_string(std::rand()));
+    Rig() : test::Rig(2) { fs::create_directories(folder); }
+    ~Rig() { fs::remove_all(folder); }
+    Surroundings& surroundings() { return designer().scene.environment; }
+    std::string drop(const char* name) { return "drop \"" + (folder / name).string() + "\"\nframes 3\n"; }
+};
+
+}  // namespace
+
+TEST_CASE("environment: chosen from the list, it stands in for the lights until they are asked for") {
+    Rig r;
+    r.play("click \"Light\"\nclick \"Environment\"\nclick \"Furnace\"\nwait\nframes 2");
+    REQUIRE(r.surroundings().picture);
+    CHECK(r.surroundings().picture->name == "furnace");
+    CHECK(!lights_shine(r.designer().scene));
+    CHECK(!r.stage.items().rectangle("Light polar angle"));
+    r.play("click \"Lights too\"\nframes 2");
+    CHECK(lights_shine(r.designer().scene));
+    CHECK(r.stage.items().rectangle("Light polar angle"));
+    r.play("click \"Environment\"\nclick \"None\"\nframes 2");
+    CHECK(!r.surroundings().picture);
+}
+
+TEST_CASE("environment: a drag on the object turns it where no light shines") {
+    Rig r;
+    r.play("click \"Light\"\nclick \"Environment\"\nclick \"Octants\"\nwait");
+    const LightSource before = r.designer().scene.light;
+    r.play("drag \"Preview\":0.4,0.5 \"Preview\":0.6,0.5 4");
+    CHECK(r.surroundings().rotation < -5);
+    CHECK(r.designer().scene.light == before);
+}
+
+TEST_CASE("environment: the picture grows while nothing moves, and then the window rests") {
+    test::Rig r(glm::ivec2{320, 240});
+    r.play("wait");
+    CHECK(!in_motion(r.designer()));
+    r.designer().environment.want("furnace");
+    CHECK(in_motion(r.designer()));
+    r.play("wait\nframes 20");
+    CHECK(r.designer().preview.gathering());
+    CHECK(in_motion(r.designer()));
+    for (int i = 0; i < 20000 && in_motion(r.designer()); ++i) r.stage.frame(false);
+    CHECK(!in_motion(r.designer()));
+}
+
+TEST_CASE("environment: a dropped picture may be the surroundings; what cannot be is said in words") {
+    Rig r;
+    write_image(r.folder / "sky.exr", {16, 8}, std::vector<float>(16 * 8 * 3, 0.5f));
+    r.play(r.drop("sky.exr") + "click \"Surroundings\"\nwait\nframes 2");
+    REQUIRE(r.surroundings().picture);
+    CHECK(r.surroundings().picture->picture.width == 16);
+    write_image(r.folder / "square.exr", {8, 8}, std::vector<float>(8 * 8 * 3, 0.5f));
+    r.play(r.drop("square.exr") + "click \"Surroundings\"\nwait\nframes 2");
+    CHECK(r.surroundings().picture->picture.width == 16);
+    CHECK(r.designer().environment.talking());
+    r.play("click \"OK\"\nframes 2");
+    CHECK(!r.designer().environment.talking());
+}
