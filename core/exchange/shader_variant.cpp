@@ -17,6 +17,30 @@ std::string text_of(std::string_view name) {
     return std::string(text);
 }
 
+// The lobe that a model of shaders/shared/closed_forms.glsl is written with, if any.
+std::optional<int> lobe_of(const std::optional<int>& closed_form) {
+    if (closed_form == Shader::MODEL_WARD) return Shader::LOBE_GAUSSIAN;
+    if (closed_form == Shader::MODEL_GGX) return Shader::LOBE_GGX;
+    if (closed_form == Shader::MODEL_BECKMANN) return Shader::LOBE_BECKMANN;
+    return {};
+}
+
+std::string shown_definitions(const ShaderVariant& variant) {
+    std::string text;
+    const auto define = [&](std::string_view name, bool on) {
+        text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
+    };
+    define("CLOSED_FORM", variant.closed_form.has_value());
+    define("SHOWS_SPECULAR", variant.term == Term::specular);
+    define("SHOWS_DIFFUSE", variant.term == Term::diffuse);
+    define("SHOWS_FACTOR", is_factor(variant.term));
+    define("SHOWS_DENSITY", variant.term == Term::density);
+    define("SHOWS_MASKING_1", variant.term == Term::masking1);
+    define("SHOWS_MASKING_2", variant.term == Term::masking2);
+    define("SHOWS_FRESNEL", variant.term == Term::fresnel);
+    return text;
+}
+
 }  // namespace
 
 ShaderVariant variant_of(const Shading<double>& shading) {
@@ -39,7 +63,9 @@ std::string variant_definitions(const ShaderVariant& variant) {
     auto define = [&](std::string_view name, bool on) {
         text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
     };
-    auto has = [&](int kind) { return variant.lobes.count(kind) > 0; };
+    auto has = [&](int kind) {
+        return variant.lobes.count(kind) > 0 || lobe_of(variant.closed_form) == kind;
+    };
     define("HAS_GAUSSIAN", has(Shader::LOBE_GAUSSIAN));
     define("HAS_INVERSE_GAUSSIAN", has(Shader::LOBE_INVERSE_GAUSSIAN));
     define("HAS_GGX", has(Shader::LOBE_GGX));
@@ -79,8 +105,12 @@ std::string shared_mathematics() {
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
-    return "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
-           text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n" + text_of(main);
+    std::string text = "#version 330 core\n" + variant_definitions(variant) + shown_definitions(variant) +
+                       shared_parameters() + "\n" + text_of("uniforms.glsl") + "\n" + shared_mathematics() +
+                       "\n";
+    if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
+    if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";
+    return text + text_of("shown.glsl") + "\n" + text_of(main);
 }
 
 }  // namespace nacre
