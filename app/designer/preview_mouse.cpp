@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-
-#include "app/preview/preview.h"
 
 namespace nacre {
 namespace {
@@ -17,27 +14,16 @@ constexpr double zoom_per_notch = 1.1;
 constexpr double zoom_least = 0.25;
 constexpr double zoom_most = 8;
 
-// The point of the sphere nearest to the pixel on the way to the middle of the picture.
-std::optional<glm::dvec3> nearest_point(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size) {
-    if (const auto hit = sphere_point(scene, pixel, size)) return hit;
-    glm::dvec2 inside = glm::dvec2(size) * 0.5;
-    glm::dvec2 outside = pixel;
-    for (int step = 0; step < 20; ++step) {
-        const glm::dvec2 middle = (inside + outside) * 0.5;
-        (sphere_point(scene, middle, size) ? inside : outside) = middle;
-    }
-    return sphere_point(scene, inside, size);
-}
-
 }  // namespace
 
-void move_light_to(Scene& scene, glm::dvec2 pixel, glm::ivec2 size) {
-    const auto normal = nearest_point(scene, pixel, size);
-    if (!normal) return;
+void move_light_to(Scene& scene, const SurfaceImage& surface, glm::dvec2 pixel) {
+    const auto point = surface.nearest(pixel);
+    if (!point) return;
     // A mirror with normal n turns the view direction z into 2 (n.z) n - z: twice the angle, same azimuth.
-    const double angle = std::acos(std::clamp(normal->z, -1.0, 1.0)) * degrees;
+    const glm::dvec3 normal = point->frame[2];
+    const double angle = std::atan2(std::hypot(normal.x, normal.y), normal.z) * degrees;
     scene.light.theta = 2 * std::min(angle, normal_angle_most);
-    if (normal->x != 0 || normal->y != 0) scene.light.phi = std::atan2(normal->y, normal->x) * degrees;
+    if (normal.x != 0 || normal.y != 0) scene.light.phi = std::atan2(normal.y, normal.x) * degrees;
 }
 
 void orbit(Scene& scene, glm::dvec2 pixels) {

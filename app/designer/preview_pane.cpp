@@ -20,27 +20,25 @@ namespace {
 constexpr int glow_divisor = 4;        // pixels a texel: the glow is soft
 constexpr double rest_seconds = 0.12;  // without a change until the picture is drawn finely
 
-void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 scale = io.DisplayFramebufferScale;
-    if (ImGui::IsItemActive()) {
-        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-            if (left_is_taken) return;
-            const glm::dvec2 pixel((io.MousePos.x - corner.x) * scale.x,
-                                   (io.MousePos.y - corner.y) * scale.y);
-            move_light_to(scene, pixel, {int(size.x * scale.x), int(size.y * scale.y)});
-        } else {
-            orbit(scene, {io.MouseDelta.x, io.MouseDelta.y});
-        }
-    }
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoom(scene, static_cast<double>(io.MouseWheel));
-}
-
 }  // namespace
 
 void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     preview_.set(std::move(tables));
     stale_ = true;
+}
+
+void PreviewPane::handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActive()) {
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            if (left_is_taken) return;
+            const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
+            move_light_to(scene, preview_.surface(scene, {int(size.x), int(size.y)}), pixel);
+        } else {
+            orbit(scene, {io.MouseDelta.x, io.MouseDelta.y});
+        }
+    }
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoom(scene, static_cast<double>(io.MouseWheel));
 }
 
 void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool) {
@@ -62,15 +60,17 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     if (glow) draw_glow(scene, *glow, radius, corner, size);
 }
 
-// What the pointer on the sphere means to the canvas's tool. Returns whether the left button is the tool's.
+// What the pointer on the object means to the canvas's tool. Returns whether the left button is the tool's.
 bool PreviewPane::work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto normal = [&](glm::dvec2 pixel) {
-        return half_vector(scene, pixel, {int(size.x), int(size.y)});
+        return half_vector(scene, preview_.surface(scene, {int(size.x), int(size.y)}), pixel);
     };
     const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
     const bool hovered = ImGui::IsItemHovered();
-    pointed_at_ = hovered ? normal(pixel) : std::nullopt;
+    // While the camera turns, what lies under the pointer is not read back in each frame.
+    const bool turning = ImGui::IsItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    pointed_at_ = hovered && !turning ? normal(pixel) : std::nullopt;
     if (io.KeyShift && !tool_works_) return false;
     const bool taken = tool({.surface = ui::Surface::sphere,
                              .hovered = hovered,
@@ -85,7 +85,8 @@ bool PreviewPane::work(const Scene& scene, ImVec2 corner, ImVec2 size, const Too
 }
 
 void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size) {
-    const Glow glow = glow_of(scene, {int(size.x), int(size.y)}, h, radius, glow_divisor);
+    const Glow glow =
+        glow_of(scene, preview_.surface(scene, {int(size.x), int(size.y)}), h, radius, glow_divisor);
     glow_.store(glow.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, glow.rgba.data(), GL_LINEAR);
     const glm::vec2 covered(glow.size * glow_divisor);
     ImGui::GetWindowDrawList()->AddImage(

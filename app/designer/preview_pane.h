@@ -36,7 +36,11 @@ class PreviewPane {
 
     bool has_picture() const { return !preview_.empty(); }
 
+    // What lies under the pixels of a picture of this size.
+    const SurfaceImage& surface(const Scene& scene, glm::ivec2 size) { return preview_.surface(scene, size); }
+
   private:
+    void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken);
     bool work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool);
     void draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);

@@ -64,22 +64,34 @@ void Texture::store(glm::ivec2 size, GLint internal_format, GLenum format, GLenu
     glTexImage2D(GL_TEXTURE_2D, 0, internal_format, size.x, size.y, 0, format, type, texels);
 }
 
+void Texture::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, name_);
+}
+
 void Target::bind(glm::ivec2 size, GLint internal_format) {
     if (size != size_ || internal_format != internal_format_) {
-        texture_.store(size, internal_format, GL_RGBA, GL_FLOAT, nullptr, GL_LINEAR);
+        for (Texture& texture : textures_)
+            texture.store(size, internal_format, GL_RGBA, GL_FLOAT, nullptr, GL_LINEAR);
         size_ = size;
         internal_format_ = internal_format;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, name_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+    std::vector<GLenum> outputs;
+    for (const Texture& texture : textures_) {
+        outputs.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(outputs.size()));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, outputs.back(), GL_TEXTURE_2D, texture.name(), 0);
+    }
+    glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("OpenGL cannot draw into a picture of this size");
     glViewport(0, 0, size.x, size.y);
 }
 
-std::vector<float> Target::read() const {
+std::vector<float> Target::read(std::size_t index) const {
     std::vector<float> texels(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * 4);
     glBindFramebuffer(GL_FRAMEBUFFER, name_);
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(index));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, texels.data());
     return texels;

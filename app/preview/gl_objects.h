@@ -33,6 +33,7 @@ class Texture {
     Texture& operator=(const Texture&) = delete;
 
     GLuint name() const { return name_; }
+    void bind(int unit) const;
 
     // Storage without mipmaps, sampled at texels or linearly.
     void store(glm::ivec2 size, GLint internal_format, GLenum format, GLenum type, const void* texels,
@@ -42,22 +43,22 @@ class Texture {
     GLuint name_ = 0;
 };
 
-// A texture that can be drawn into.
+// Textures that can be drawn into at once: a fragment shader's output at location i goes into the i-th.
 class Target {
   public:
-    Target() { glGenFramebuffers(1, &name_); }
+    explicit Target(std::size_t textures = 1) : textures_(textures) { glGenFramebuffers(1, &name_); }
     ~Target() { glDeleteFramebuffers(1, &name_); }
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
-    // Makes the texture the given size and format if it is not, then binds it for drawing.
+    // Makes the textures the given size and format if they are not, then binds them for drawing.
     void bind(glm::ivec2 size, GLint internal_format);
-    const Texture& texture() const { return texture_; }
-    std::vector<float> read() const;  // RGBA, bottom row first
+    const Texture& texture(std::size_t index = 0) const { return textures_[index]; }
+    std::vector<float> read(std::size_t index = 0) const;  // RGBA, bottom row first
 
   private:
     GLuint name_ = 0;
-    Texture texture_;
+    std::vector<Texture> textures_;
     glm::ivec2 size_{0};
     GLint internal_format_ = 0;
 };

@@ -26,6 +26,7 @@ class SavedState {
         glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
         glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
         glUseProgram(0);
+        glActiveTexture(GL_TEXTURE0);
     }
     SavedState(const SavedState&) = delete;
     SavedState& operator=(const SavedState&) = delete;
@@ -44,28 +45,31 @@ void Preview::set(std::shared_ptr<const Tables> tables) {
     store_data(data_, tables_->data);
 }
 
-const Program& Preview::sphere_program(const Scene& scene) {
+const Program& Preview::surface_program(const Scene& scene) {
     ShaderVariant variant = variant_of(tables_->shading);
     variant.second_light = scene.second_light;
     variant.ambient = scene.ambient && variant.kinds.albedo;
-    const std::string fragment = fragment_shader(variant, "sphere.frag");
-    if (spheres_.size() > programs_kept && !spheres_.count(fragment)) spheres_.clear();
-    std::unique_ptr<Program>& program = spheres_[fragment];
+    const std::string fragment = fragment_shader(variant, "surface.frag");
+    if (surfaces_.size() > programs_kept && !surfaces_.count(fragment)) surfaces_.clear();
+    std::unique_ptr<Program>& program = surfaces_[fragment];
     if (!program) program = std::make_unique<Program>(text("full_screen.vert"), fragment);
     return *program;
 }
 
 void Preview::draw_radiance(const Scene& scene, glm::ivec2 size, int supersample) {
-    const Program& program = sphere_program(scene);
+    const Program& program = surface_program(scene);
     const glm::ivec2 texels = size * supersample;
+    geometry_.update(scene, texels);
     radiance_.bind(texels, GL_RGBA32F);
     glUseProgram(program.name());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, data_.name());
+    data_.bind(0);
+    geometry_.normals().bind(1);
+    geometry_.tangents().bind(2);
     upload_surface(program, tables_->shading, 0);
+    set_uniform(program, "normals", 1);
+    set_uniform(program, "tangents", 2);
     set_uniform(program, "target_size", glm::dvec2(texels));
-    set_uniform(program, "texels_per_unit", pixels_per_unit(scene, size) * supersample);
-    set_uniform(program, "object_to_view", object_to_view(scene));
+    set_uniform(program, "texels_per_unit", pixels_per_unit(scene, texels));
     set_uniform(program, "light_direction", light_direction(scene.light));
     set_uniform(program, "light_irradiance", scene.light.irradiance);
     set_uniform(program, "second_direction", light_direction(scene.second));
@@ -78,8 +82,7 @@ void Preview::draw_radiance(const Scene& scene, glm::ivec2 size, int supersample
 void Preview::develop(const Scene& scene, glm::ivec2 size, int supersample, bool linear) {
     developed_.bind(size, linear ? GL_RGBA32F : GL_RGBA8);
     glUseProgram(develop_.name());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, radiance_.texture().name());
+    radiance_.texture().bind(0);
     set_uniform(develop_, "radiance", 0);
     set_uniform(develop_, "supersample", supersample);
     set_uniform(develop_, "exposure", std::exp2(scene.exposure));
@@ -98,6 +101,12 @@ std::vector<float> Preview::picture(const Scene& scene, glm::ivec2 size, int sup
     draw_radiance(scene, size, supersample);
     develop(scene, size, supersample, linear);
     return developed_.read();
+}
+
+const SurfaceImage& Preview::surface(const Scene& scene, glm::ivec2 size) {
+    const SavedState state;
+    if (pixel_geometry_.update(scene, size)) surface_ = pixel_geometry_.read();
+    return surface_;
 }
 
 }  // namespace nacre

@@ -1,11 +1,13 @@
-// The sphere: the newest tables, drawn into a texture. Needs a current OpenGL 3.3 core context.
+// The object: the newest tables, drawn into a texture. Needs a current OpenGL 3.3 core context.
 #pragma once
 
 #include <map>
 #include <memory>
 
+#include "app/preview/geometry_buffer.h"
 #include "app/preview/gl_objects.h"
 #include "app/preview/scene.h"
+#include "app/preview/surface_image.h"
 #include "core/bake/tables.h"
 #include "core/design/design.h"
 
@@ -28,8 +30,12 @@ class Preview {
     // exposure.
     std::vector<float> picture(const Scene& scene, glm::ivec2 size, int supersample, bool linear);
 
+    // What lies under the pixels of a picture of this size: read back when the object, the camera or the size
+    // has changed.
+    const SurfaceImage& surface(const Scene& scene, glm::ivec2 size);
+
   private:
-    const Program& sphere_program(const Scene& scene);
+    const Program& surface_program(const Scene& scene);
     void draw_radiance(const Scene& scene, glm::ivec2 size, int supersample);
     void develop(const Scene& scene, glm::ivec2 size, int supersample, bool linear);
 
@@ -37,7 +43,10 @@ class Preview {
     Texture data_;
     FullScreen full_screen_;
     Program develop_;
-    std::map<std::string, std::unique_ptr<Program>> spheres_;  // by the text of their fragment shader
+    std::map<std::string, std::unique_ptr<Program>> surfaces_;  // by the text of their fragment shader
+    GeometryBuffer geometry_;
+    GeometryBuffer pixel_geometry_;
+    SurfaceImage surface_;
     Target radiance_;
     Target developed_;
 };

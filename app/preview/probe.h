@@ -1,4 +1,4 @@
-// Which facets light which pixels of the sphere, and the other way round. Of the main light alone.
+// Which facets light which pixels of the object, and the other way round. Of the main light alone.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "app/preview/scene.h"
+#include "app/preview/surface_image.h"
 
 namespace nacre {
 
 // The half vector of light and viewer at a pixel (from the top left corner), in the surface's frame there:
-// the normal of the facets that light the pixel. Nothing beside the sphere or where the light does not reach.
-std::optional<glm::dvec3> half_vector(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size);
+// the normal of the facets that light the pixel. Nothing beside the object or where the light does not reach.
+std::optional<glm::dvec3> half_vector(const Scene& scene, const SurfaceImage& surface, glm::dvec2 pixel);
 
 // A veil over the preview that shines where facets within about `radius` degrees of `h` light it: straight
 // RGBA, rows from the top, `divisor` times fewer texels each way than the preview has pixels.
@@ -21,6 +22,6 @@ struct Glow {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> rgba;
 };
-Glow glow_of(const Scene& scene, glm::ivec2 size, glm::dvec3 h, double radius, int divisor);
+Glow glow_of(const Scene& scene, const SurfaceImage& surface, glm::dvec3 h, double radius, int divisor);
 
 }  // namespace nacre

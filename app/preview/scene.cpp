@@ -41,12 +41,4 @@ double pixels_per_unit(const Scene& scene, glm::ivec2 size) {
     return sphere_part * scene.zoom * std::min(size.x, size.y);
 }
 
-std::optional<glm::dvec3> sphere_point(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size) {
-    const double unit = pixels_per_unit(scene, size);
-    const double x = (pixel.x - 0.5 * size.x) / unit, y = (0.5 * size.y - pixel.y) / unit;
-    const double r2 = x * x + y * y;
-    if (!(r2 <= 1)) return {};
-    return glm::dvec3{x, y, std::sqrt(1 - r2)};
-}
-
 }  // namespace nacre

@@ -48,7 +48,4 @@ glm::dmat3 object_to_view(const Scene& scene);
 // Pixels that one unit of view space (the sphere's radius) takes.
 double pixels_per_unit(const Scene& scene, glm::ivec2 size);
 
-// The sphere's unit normal, view space, under a pixel (from the top left corner); nothing beside the sphere.
-std::optional<glm::dvec3> sphere_point(const Scene& scene, glm::dvec2 pixel, glm::ivec2 size);
-
 }  // namespace nacre

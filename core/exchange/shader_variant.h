@@ -33,7 +33,7 @@ std::string variant_definitions(const ShaderVariant& variant);
 std::string shared_parameters();
 std::string shared_mathematics();
 
-// A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "sphere.frag".
+// A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "surface.frag".
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main);
 
 }  // namespace nacre

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "app/designer/preview_mouse.h"
+#include "app/headless/offscreen_context.h"
+#include "app/preview/preview.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
 #include "tests/designer/rig.h"
@@ -96,19 +98,22 @@ TEST_CASE("designer: the mouse on the preview moves light and camera") {
 }
 
 TEST_CASE("preview mouse: a mirror's highlight lies under the pointer") {
+    const auto context = make_offscreen_context({16, 16});
+    Preview preview;
     Scene scene;
-    const glm::ivec2 size(800, 600);
-    for (const glm::dvec2 pixel : {glm::dvec2(400, 300), {430, 280}, {300, 350}, {400, 200}}) {
-        move_light_to(scene, pixel, size);
+    const SurfaceImage& surface = preview.surface(scene, {800, 600});
+    for (const glm::dvec2 pixel :
+         {glm::dvec2(400.5, 300.5), {430.5, 280.5}, {300.5, 350.5}, {400.5, 200.5}}) {
+        move_light_to(scene, surface, pixel);
         const double theta = scene.light.theta / 2 * 3.14159265358979 / 180;
         const double phi = scene.light.phi * 3.14159265358979 / 180;
         const glm::dvec3 half(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                               std::cos(theta));
-        const auto under = sphere_point(scene, pixel, size);
-        REQUIRE(under);
-        CHECK(glm::length(half - *under) < 1e-6);
+        // The sphere's normal is its point.
+        const glm::dvec2 at = (pixel - glm::dvec2(400, 300)) / pixels_per_unit(scene, surface.size());
+        CHECK(glm::length(half - glm::dvec3(at.x, -at.y, std::sqrt(1 - glm::dot(at, at)))) < 1e-6);
     }
-    move_light_to(scene, {799, 1}, size);
+    move_light_to(scene, surface, {799, 1});
     CHECK(scene.light.theta <= 164);
     CHECK(scene.light.phi == doctest::Approx(std::atan2(299, 399) * 180 / 3.14159265358979).epsilon(0.05));
 }

@@ -77,11 +77,11 @@ TEST_SUITE_BEGIN("variants");
 
 TEST_CASE("glslangValidator accepts every variant") {
     std::map<std::string, std::string> shaders;
-    shaders["full_screen.vert"] = std::string(shader_text("full_screen.vert"));
-    shaders["develop.frag"] = std::string(shader_text("develop.frag"));
+    for (const char* whole : {"full_screen.vert", "develop.frag", "sphere.frag"})
+        shaders[whole] = std::string(shader_text(whole));
     int index = 0;
     for (const ShaderVariant& variant : all_kinds()) {
-        shaders[fmt::format("sphere-{}.frag", index)] = fragment_shader(variant, "sphere.frag");
+        shaders[fmt::format("surface-{}.frag", index)] = fragment_shader(variant, "surface.frag");
         shaders[fmt::format("parity-{}.frag", index++)] = fragment_shader(variant, "parity.frag");
     }
     CHECK(validate(shaders) == "");
@@ -93,7 +93,7 @@ TEST_CASE("glslangValidator accepts every preset's variant and exported function
     for (const Design& design : presets()) {
         const auto tables = bake(design, {.quality = Quality::draft});
         shaders[fmt::format("preset-{}.frag", index)] =
-            fragment_shader(variant_of(tables->shading), "sphere.frag");
+            fragment_shader(variant_of(tables->shading), "surface.frag");
         shaders[fmt::format("export-{}.frag", index++)] =
             "#version 330 core\n" + glsl_export(design, *tables) +
             "out vec4 value;\nvoid main() { value = vec4(nacre_brdf(vec3(0, 0, 1), vec3(0.6, 0, 0.8)), 1.0); "
@@ -109,13 +109,13 @@ TEST_CASE("the validator would notice") {
 TEST_CASE("a variant's text is a function of its value, and leaves out what it does not need") {
     ShaderVariant plain;
     plain.lobes = {Shading<double>::LOBE_GGX};
-    CHECK(fragment_shader(plain, "sphere.frag") == fragment_shader(plain, "sphere.frag"));
-    CHECK(fragment_shader(plain, "sphere.frag").find("#define HAS_ALBEDO 0\n") != std::string::npos);
-    CHECK(fragment_shader(plain, "sphere.frag").find("#define HAS_GGX 1\n") != std::string::npos);
-    CHECK(fragment_shader(plain, "sphere.frag").find("#define HAS_PAINTED 0\n") != std::string::npos);
+    CHECK(fragment_shader(plain, "surface.frag") == fragment_shader(plain, "surface.frag"));
+    CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_ALBEDO 0\n") != std::string::npos);
+    CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_GGX 1\n") != std::string::npos);
+    CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_PAINTED 0\n") != std::string::npos);
     ShaderVariant lit = plain;
     lit.second_light = true;
-    CHECK(fragment_shader(lit, "sphere.frag") != fragment_shader(plain, "sphere.frag"));
+    CHECK(fragment_shader(lit, "surface.frag") != fragment_shader(plain, "surface.frag"));
 }
 
 TEST_SUITE_END();

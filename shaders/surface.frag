@@ -1,0 +1,56 @@
+// An object of the surface under small distant lights, seen by a distant viewer. Linear radiance.
+// View space: x right, y up, z toward the viewer; all objects have a radius of about 1.
+
+uniform sampler2D normals;      // xyz: the object's normal, view space; w: the part of the texel it covers
+uniform sampler2D tangents;     // xyz: its tangent, orthonormal to that; w: z of its point
+uniform vec2 target_size;       // texels
+uniform float texels_per_unit;  // of view space
+uniform vec3 light_direction;   // toward the light, view space
+uniform vec3 light_irradiance;  // on a surface that faces it
+#if SECOND_LIGHT
+uniform vec3 second_direction;
+uniform vec3 second_irradiance;
+#endif
+#if AMBIENT_LIGHT
+uniform vec3 ambient_radiance;
+#endif
+uniform vec3 background;  // linear radiance at the centre
+
+out vec4 radiance;
+
+vec3 lit(Direction viewer, mat3 frame, vec3 toward, vec3 irradiance) {
+    vec3 k1 = toward * frame;
+    if (k1.z <= 0.0 || viewer.k.z <= 0.0) return vec3(0.0);
+    return brdf_of(direction(k1), viewer) * irradiance * k1.z;
+}
+
+// The radiance toward the viewer of a surface whose tangent, bitangent and normal are the columns of `frame`,
+// in view space.
+vec3 shade(mat3 frame) {
+    Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
+    vec3 sum = lit(viewer, frame, light_direction, light_irradiance);
+#if SECOND_LIGHT
+    sum += lit(viewer, frame, second_direction, second_irradiance);
+#endif
+#if AMBIENT_LIGHT
+    sum += total_albedo(viewer) * ambient_radiance;
+#endif
+    return sum;
+}
+
+// A quiet wall: brighter behind the object, falling off toward the corners.
+vec3 wall(vec2 at) {
+    float r2 = dot(at, at);
+    return background / (1.0 + 0.35 * r2 + 0.05 * r2 * r2);
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec3 colour = wall((gl_FragCoord.xy - 0.5 * target_size) / texels_per_unit);
+    vec4 seen = texelFetch(normals, texel, 0);
+    if (seen.w > 0.0) {
+        vec3 tangent = texelFetch(tangents, texel, 0).xyz;
+        colour = mix(colour, shade(mat3(tangent, cross(seen.xyz, tangent), seen.xyz)), seen.w);
+    }
+    radiance = vec4(colour, 1.0);
+}
