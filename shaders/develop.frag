@@ -1,11 +1,19 @@
 #version 330 core
 // From linear radiance at several texels a pixel to a picture: exposure, a filmic curve, sRGB and a dither
-// that keeps smooth gradients from banding in 8 bits; or the plain mean when `linear` is set.
+// that keeps smooth gradients from banding in 8 bits; or the plain mean when `linear` is set. A factor of the BRDF in
+// the place of radiance becomes colours that stand for numbers: one with colours of its own as it is, a plain number
+// through a colour map.
 
 uniform sampler2D radiance;
 uniform int supersample;  // texels a pixel, each way
 uniform float exposure;   // factor
 uniform bool linear;
+uniform bool is_factor;
+uniform bool coloured;       // factor: with colours of its own
+uniform bool logarithmic;    // factor: from `low` to `high`; otherwise from 0
+uniform float low;
+uniform float high;
+uniform sampler2D colours;   // the colour map, one row, sRGB
 
 out vec4 picture;
 
@@ -31,17 +39,25 @@ float noise(uvec2 pixel, uint channel) {
     return float((x ^ (x >> 16)) >> 8) / 16777216.0;
 }
 
+vec3 factor_colour(vec3 value) {
+    if (coloured) return srgb(clamp(value / high, 0.0, 1.0));
+    float place = logarithmic ? log(max(value.x, low) / low) / log(high / low) : value.x / high;
+    float size = float(textureSize(colours, 0).x);
+    return texture(colours, vec2((clamp(place, 0.0, 1.0) * (size - 1.0) + 0.5) / size, 0.5)).rgb;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 sum = vec3(0.0);
     for (int j = 0; j < supersample; ++j) {
         for (int i = 0; i < supersample; ++i) {
             vec3 texel = texelFetch(radiance, pixel * supersample + ivec2(i, j), 0).rgb * exposure;
-            sum += linear ? texel : filmic(texel);
+            sum += linear || is_factor ? texel : filmic(texel);
         }
     }
     vec3 colour = sum / float(supersample * supersample);
-    if (!linear) {
+    if (is_factor) colour = factor_colour(colour);
+    if (!linear && !is_factor) {
         uvec2 p = uvec2(pixel);
         vec3 triangle = vec3(noise(p, 0u) - noise(p, 3u), noise(p, 1u) - noise(p, 4u), noise(p, 2u) - noise(p, 5u));
         colour = srgb(colour) + 0.5 * triangle / 255.0;

@@ -38,6 +38,7 @@ Scene SceneOptions::scene() const {
         scene.light.phi = light[1];
     }
     scene.exposure = exposure;
+    scene.term = term_by_name(term).value_or(Term::total);
     return scene;
 }
 
@@ -52,6 +53,10 @@ void add_scene_options(Command& command, SceneOptions& options) {
         .pair("THETA,PHI")
         .finite_within(-360, 360);
     command.option("--exposure", options.exposure, "EV (default 0)").finite_within(-20, 20);
+    command
+        .option("--term", options.term,
+                fmt::format("what of the BRDF is shown: {} (default total)", fmt::join(term_names(), ", ")))
+        .one_of(term_names());
 }
 
 }  // namespace nacre::cli

@@ -12,11 +12,12 @@ namespace nacre::cli {
 // --size WxH, pixels.
 void add_size_option(Command& command, glm::ivec2& size, int smallest);
 
-// --scene NAME, --light THETA,PHI and --exposure EV.
+// --scene NAME, --light THETA,PHI, --exposure EV and --term NAME.
 struct SceneOptions {
     std::string name = "single";
     std::vector<double> light;  // theta, phi; empty: the scene's own
     double exposure = 0;        // EV
+    std::string term = "total";
 
     Scene scene() const;
 };

@@ -24,7 +24,7 @@ bool same_draft(const BakeRequest& a, const BakeRequest& b) {
 // `drafted` is the request whose draft was published last: it needs no other.
 void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeRequest& request,
                 const std::stop_token& stop, const Job::Publish& publish, int threads) {
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness);
+    give_way();
     check_design(request.design, "design");
     for (const Quality quality : {Quality::draft, Quality::final}) {
         const bool same = drafted && same_draft(*drafted, request);
@@ -35,6 +35,9 @@ void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeReq
         if (stop.stop_requested()) return;
     }
 }
+}  // namespace
+
+void give_way() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness); }
 
 std::string plain_words(const std::exception_ptr& error) {
     try {
@@ -46,8 +49,6 @@ std::string plain_words(const std::exception_ptr& error) {
         return other.what();
     }
 }
-
-}  // namespace
 
 BakeJob::BakeJob(int threads)
     : job_([this, threads](const BakeRequest& request, const std::stop_token& stop,

@@ -12,6 +12,7 @@
 #include "ui/material_panel.h"
 #include "ui/presets_panel.h"
 #include "ui/status_line.h"
+#include "ui/term_bar.h"
 #include "ui/widgets.h"
 
 namespace nacre {
@@ -45,6 +46,27 @@ void draw_material(Design& design) {
     ui::note_field(design.note);
 }
 
+Design shown_design(const Designer& designer) {
+    Design shown = designer.document.design;
+    shown.distribution = ui::shown(designer.layers, shown.distribution);
+    return shown;
+}
+
+// Final tables of this design, if they are what the preview shows.
+std::shared_ptr<const Tables> final_tables(const Designer& designer) {
+    const bool newest = designer.baker.answered() == designer.baker.asked();
+    const bool final = designer.tables && designer.tables->plan.quality == Quality::final;
+    return newest && final ? designer.tables : nullptr;
+}
+
+void draw_compare(Designer& designer) {
+    Design& design = designer.document.design;
+    const bool whole = shown_design(designer) == design;
+    const PresentDesign present{design, whole ? final_tables(designer) : nullptr, designer.settled};
+    if (auto restored = designer.comparison.draw_panel(present, designer.scene, designer.preview))
+        design = *std::move(restored);
+}
+
 void draw_panel(Designer& designer) {
     Design& design = designer.document.design;
     if (!ImGui::BeginTabBar("tabs")) return;
@@ -60,12 +82,19 @@ void draw_panel(Designer& designer) {
     tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
     tab("Material", [&] { draw_material(design); });
     tab("Light", [&] { scene_panel(designer.scene); });
+    tab("Compare", [&] { draw_compare(designer); });
     tab("Presets", [&] { draw_presets(designer); });
     ImGui::EndTabBar();
 }
 
 // The tools of the canvas work on the sphere too, but for the handles: those leave the light to the pointer.
 void draw_preview(Designer& designer) {
+    Scene& scene = designer.scene;
+    const bool shows_model = designer.comparison.shows_model();
+    if (shows_model && is_factor(scene.term)) scene.term = Term::total;
+    ui::term_bar(scene.term, !shows_model);
+    const Design shown = shown_design(designer);
+    designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);
     ui::CanvasState& canvas = designer.canvas.state;
     const bool probing = canvas.tool == ui::CanvasTool::handles || canvas.tool == ui::CanvasTool::grab;
     const std::optional<dvec3>& there = designer.canvas.pointed_at();
@@ -100,8 +129,7 @@ void notice_rest(Designer& designer, const Distribution& shown) {
 
 // Asks for tables of what is shown now. True when a draft is to come.
 bool ask(Designer& designer) {
-    Design shown = designer.document.design;
-    shown.distribution = ui::shown(designer.layers, shown.distribution);
+    Design shown = shown_design(designer);
     notice_rest(designer, shown.distribution);
     return designer.baker.want(
         {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
@@ -112,13 +140,15 @@ void follow_bake(Designer& designer) {
     const bool draft = ask(designer);
     if (auto tables = designer.baker.poll(draft ? patience : std::chrono::milliseconds(0))) {
         designer.tables_text = tables_text(*tables);
+        designer.tables = tables;
         designer.preview.show(std::move(tables));
     }
 }
 
 }  // namespace
 
-Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets(presets_folder())) {}
+Designer::Designer(int bake_threads)
+    : baker(bake_threads), comparison(bake_threads), presets(list_presets(presets_folder())) {}
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;
@@ -177,6 +207,6 @@ void perform(Designer& designer, ui::Command command) {
     }
 }
 
-bool in_motion(const Designer& designer) { return designer.baker.busy(); }
+bool in_motion(const Designer& designer) { return designer.baker.busy() || designer.comparison.busy(); }
 
 }  // namespace nacre

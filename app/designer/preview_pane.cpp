@@ -11,6 +11,8 @@
 #include "app/designer/preview_mouse.h"
 #include "app/gl/gl.h"
 #include "app/preview/probe.h"
+#include "core/paint/colour_map.h"
+#include "ui/compare_overlay.h"
 #include "ui/item_map.h"
 #include "ui/widgets.h"
 
@@ -24,6 +26,11 @@ constexpr double rest_seconds = 0.12;  // without a change until the picture is 
 
 void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     preview_.set(std::move(tables));
+    stale_ = true;
+}
+
+void PreviewPane::show_side(int side, const std::optional<ComparedSurface>& surface) {
+    compared_.show(side, surface);
     stale_ = true;
 }
 
@@ -45,6 +52,7 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     const ImVec2 size = ImGui::GetContentRegionAvail();
     if (size.x < 1 || size.y < 1) return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (look.view == ui::CompareView::divider) ui::divider_handle(look.divider, corner, size);
     ImGui::InvisibleButton("Preview", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
@@ -54,10 +62,27 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     if (preview_.empty()) return;
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     redraw_if_needed(scene, {int(size.x * scale.x), int(size.y * scale.y)});
-    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(preview_.texture()));
-    const ImVec2 end(corner.x + size.x, corner.y + size.y);
-    ImGui::GetWindowDrawList()->AddImage(texture, corner, end, ImVec2(0, 1), ImVec2(1, 0));
+    compared_.paint(preview_, look, corner, size);
     if (glow) draw_glow(scene, *glow, radius, corner, size);
+    draw_marks(scene, corner, size);
+}
+
+// The divider, the names of the sides and the scale of a factor.
+void PreviewPane::draw_marks(const Scene& scene, ImVec2 corner, ImVec2 size) {
+    if (look.view == ui::CompareView::divider) ui::draw_divider(look.divider, corner, size);
+    if (look.view != ui::CompareView::off) ui::side_labels(look.labels[0], look.labels[1], corner, size);
+    if (!is_factor(scene.term) || look.view == ui::CompareView::difference) return;
+    const FactorScale scale = preview_.shown_scale(scene);
+    const ScaleEnds ends = ends_in_words(scene.term, scale);
+    ui::scale_legend({.title = info(scene.term).label,
+                      .low = ends.low,
+                      .high = ends.high,
+                      .colour =
+                          [&](float t) {
+                              const glm::u8vec3 c = colour_of(scale, static_cast<double>(t));
+                              return IM_COL32(c.x, c.y, c.z, 255);
+                          }},
+                     corner, size);
 }
 
 // What the pointer on the object means to the canvas's tool. Returns whether the left button is the tool's.
@@ -96,7 +121,8 @@ void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImV
 
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     const double now = ImGui::GetTime();
-    const bool changed = stale_ || scene != drawn_scene_ || size != drawn_size_;
+    const bool changed = stale_ || scene != drawn_scene_ || size != drawn_size_ || look.view != drawn_view_ ||
+                         look.difference != drawn_difference_;
     if (changed) changed_at_ = now;
     const bool moving = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
     const DrawQuality quality =
@@ -107,7 +133,7 @@ void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
 void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality) {
     const glm::ivec2 texels = glm::max(size / quality.divisor, glm::ivec2(1));
     const auto begin = std::chrono::steady_clock::now();
-    preview_.draw(scene, texels, quality.supersample);
+    compared_.draw(preview_, scene, texels, quality.supersample, look);
     glFinish();  // the time that drawing takes decides how finely the next picture is drawn
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const double samples = double(texels.x) * texels.y * quality.supersample * quality.supersample;
@@ -115,6 +141,8 @@ void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality qualit
     const double measured = taken.count() / samples;
     seconds_a_sample_ = seconds_a_sample_ > 0 ? std::min(measured, seconds_a_sample_ * 1.05) : measured;
     drawn_scene_ = scene;
+    drawn_view_ = look.view;
+    drawn_difference_ = look.difference;
     drawn_size_ = size;
     drawn_quality_ = quality;
     stale_ = false;

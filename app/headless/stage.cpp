@@ -39,6 +39,7 @@ void Stage::wait_for_bake() {
         frame(false);  // submits what the last input changed
     } while (!designer_->settled);
     designer_->baker.wait();
+    designer_->comparison.wait();
     frame(false);
 }
 

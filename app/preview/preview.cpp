@@ -5,12 +5,14 @@
 
 #include "app/preview/upload.h"
 #include "core/exchange/shader_variant.h"
+#include "core/paint/colour_map.h"
 #include "shaders/shader_text.h"
 
 namespace nacre {
 namespace {
 
 constexpr std::size_t programs_kept = 24;  // variants that an editing session may go back and forth between
+constexpr int colours = 256;               // of the map for numbers
 constexpr glm::dvec3 background{0.045, 0.047, 0.052};
 
 std::string text(const char* name) { return std::string(shader_text(name)); }
@@ -38,17 +40,32 @@ class SavedState {
 
 }  // namespace
 
-Preview::Preview() : develop_(text("full_screen.vert"), text("develop.frag")) {}
+Preview::Preview() : develop_(text("full_screen.vert"), text("develop.frag")) {
+    std::vector<glm::u8vec4> map;
+    for (int i = 0; i < colours; ++i) map.emplace_back(inferno(i / (colours - 1.0)), 255);
+    colours_.store({colours, 1}, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, map.data(), GL_LINEAR);
+}
 
-void Preview::set(std::shared_ptr<const Tables> tables) {
+void Preview::set(std::shared_ptr<const Tables> tables, std::shared_ptr<const ClosedForm> model) {
     tables_ = std::move(tables);
-    store_data(data_, tables_->data);
+    model_ = std::move(model);
+    if (!model_) return store_data(data_, tables_->data);
+    std::vector<float> data = tables_->data;
+    data.insert(data.end(), model_->albedo.begin(), model_->albedo.end());
+    store_data(data_, data);
+}
+
+FactorScale Preview::scale(const Scene& scene) const {
+    return factor_scale(scene.term, *tables_, scene.exposure);
 }
 
 const Program& Preview::surface_program(const Scene& scene) {
     ShaderVariant variant = variant_of(tables_->shading);
     variant.second_light = scene.second_light;
-    variant.ambient = scene.ambient && variant.kinds.albedo;
+    // A model whose albedo is not made yet waits for it in the dark, as a design does.
+    variant.ambient = scene.ambient && variant.kinds.albedo && !(model_ && model_->albedo.empty());
+    variant.term = scene.term;
+    if (model_) variant.closed_form = model_->form.model;
     const std::string fragment = fragment_shader(variant, "surface.frag");
     if (surfaces_.size() > programs_kept && !surfaces_.count(fragment)) surfaces_.clear();
     std::unique_ptr<Program>& program = surfaces_[fragment];
@@ -66,6 +83,7 @@ void Preview::draw_radiance(const Scene& scene, glm::ivec2 size, int supersample
     geometry_.normals().bind(1);
     geometry_.tangents().bind(2);
     upload_surface(program, tables_->shading, 0);
+    if (model_) upload_closed_form(program, model_->form);
     set_uniform(program, "normals", 1);
     set_uniform(program, "tangents", 2);
     set_uniform(program, "target_size", glm::dvec2(texels));
@@ -79,28 +97,54 @@ void Preview::draw_radiance(const Scene& scene, glm::ivec2 size, int supersample
     full_screen_.draw();
 }
 
-void Preview::develop(const Scene& scene, glm::ivec2 size, int supersample, bool linear) {
-    developed_.bind(size, linear ? GL_RGBA32F : GL_RGBA8);
+void Preview::develop(Target& target, const Development& how, glm::ivec2 size, int supersample) {
+    target.bind(size, how.linear ? GL_RGBA32F : GL_RGBA8);
     glUseProgram(develop_.name());
     radiance_.texture().bind(0);
+    colours_.bind(1);
     set_uniform(develop_, "radiance", 0);
+    set_uniform(develop_, "colours", 1);
     set_uniform(develop_, "supersample", supersample);
-    set_uniform(develop_, "exposure", std::exp2(scene.exposure));
-    set_uniform(develop_, "linear", linear ? 1 : 0);
+    set_uniform(develop_, "exposure", how.exposure);
+    set_uniform(develop_, "linear", how.linear ? 1 : 0);
+    set_uniform(develop_, "is_factor", how.factor ? 1 : 0);
+    if (how.factor) {
+        set_uniform(develop_, "coloured", how.factor->coloured ? 1 : 0);
+        set_uniform(develop_, "logarithmic", how.factor->logarithmic ? 1 : 0);
+        set_uniform(develop_, "low", how.factor->low);
+        set_uniform(develop_, "high", how.factor->high);
+    }
     full_screen_.draw();
+}
+
+void Preview::develop_as_seen(const Scene& scene, glm::ivec2 size, int supersample) {
+    Development how{.exposure = std::exp2(scene.exposure)};
+    // A factor's scale holds the exposure.
+    if (is_factor(scene.term)) how = {.factor = shown_scale(scene)};
+    develop(developed_, how, size, supersample);
+}
+
+std::vector<float> Preview::numbers(glm::ivec2 size, int supersample) {
+    const SavedState state;
+    develop(numbers_, {.linear = true}, size, supersample);
+    return numbers_.read();
 }
 
 void Preview::draw(const Scene& scene, glm::ivec2 size, int supersample) {
     const SavedState state;
     draw_radiance(scene, size, supersample);
-    develop(scene, size, supersample, false);
+    develop_as_seen(scene, size, supersample);
 }
 
 std::vector<float> Preview::picture(const Scene& scene, glm::ivec2 size, int supersample, bool linear) {
     const SavedState state;
     draw_radiance(scene, size, supersample);
-    develop(scene, size, supersample, linear);
-    return developed_.read();
+    if (!linear) {
+        develop_as_seen(scene, size, supersample);
+        return developed_.read();
+    }
+    develop(numbers_, {.exposure = std::exp2(scene.exposure), .linear = true}, size, supersample);
+    return numbers_.read();
 }
 
 const SurfaceImage& Preview::surface(const Scene& scene, glm::ivec2 size) {

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/bake/term.h"
+
 namespace nacre {
 
 // Small and distant. Angles in degrees in view space (x right, y up, z toward the viewer): theta from the
@@ -31,6 +33,7 @@ struct Scene {
     double yaw = 0;       // degrees, orbit about the sphere's axis
     double pitch = 0;     // degrees, the axis leans toward the viewer
     double zoom = 1;
+    Term term = Term::total;  // what of the surface's BRDF is shown; a factor is that of the main light
 
     bool operator==(const Scene&) const = default;
 };
