@@ -29,7 +29,11 @@ vec3 lit(Direction viewer, mat3 frame, vec3 toward, vec3 irradiance) {
 vec3 shade(mat3 frame) {
     Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
 #if SHOWS_FACTOR
+#if SHOWS_MASKING_2
+    vec3 k1 = viewer.k;  // the light plays no part
+#else
     vec3 k1 = light_direction * frame;
+#endif
     if (k1.z <= 0.0 || viewer.k.z <= 0.0) return vec3(0.0);
     return factor(direction(k1), viewer);
 #else

@@ -8,12 +8,38 @@
 #include <utility>
 
 #include "ui/item_map.h"
+#include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
 namespace {
 
-constexpr const char* view_names[] = {"Off", "Divider", "Difference"};
+struct ViewChoice {
+    CompareView view;
+    const char* label;
+    const char* about;
+};
+
+constexpr ViewChoice views[] = {
+    {CompareView::off, "Off", "The preview shows the design alone."},
+    {CompareView::divider, "Divider",
+     "One picture left of a line, the other right of it. Drag the line across the preview."},
+    {CompareView::difference, "Difference", "What differs between the two, with its number."},
+};
+
+void view_row(CompareView& view) {
+    row_label("View", nullptr);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (const ViewChoice& choice : views) {
+        if (choice.view != CompareView::off) ImGui::SameLine(0, gap);
+        const bool chosen = choice.view == view;
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
+        if (ImGui::Button(choice.label)) view = choice.view;
+        if (chosen) ImGui::PopStyleColor();
+        note_item(std::string("View ") + choice.label);
+        tooltip_for_item(choice.about);
+    }
+}
 
 // A line of the list: letter, name, restore, remove.
 std::optional<SnapshotAction> snapshot_row(const SnapshotRow& row) {
@@ -101,11 +127,7 @@ std::optional<SnapshotRequest> compare_panel(CompareState& state, std::span<cons
     const std::optional<SnapshotRequest> request = snapshot_list(snapshots);
     ImGui::Spacing();
     heading("Side by side");
-    int view = static_cast<int>(state.view);
-    if (combo("View##Compare view", view, view_names,
-              "Divider: one picture left of a line, the other right of it; drag the line across the preview. "
-              "Difference: what differs, with its number."))
-        state.view = static_cast<CompareView>(view);
+    view_row(state.view);
     side_row("Left", state.left, choices);
     side_row("Right", state.right, choices);
     if (button("Swap sides", "Left becomes right, and right left.")) std::swap(state.left, state.right);

@@ -71,7 +71,11 @@ void draw_panel(Designer& designer) {
     Design& design = designer.document.design;
     if (!ImGui::BeginTabBar("tabs")) return;
     const auto tab = [](const char* label, const auto& contents) {
+        // Narrow, so that no name is cut.
+        const ImVec2 padding = ImGui::GetStyle().FramePadding;
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(padding.x * 0.5f, padding.y));
         const bool open = ImGui::BeginTabItem(label);
+        ImGui::PopStyleVar();
         ui::note_item(label);
         if (!open) return;
         ImGui::Spacing();

@@ -43,7 +43,7 @@ TEST_CASE("compare: a snapshot stays as it was and comes back in one step of und
 TEST_CASE("compare: the divider is dragged, and the light stays where it is") {
     Rig r;
     r.play("wait\nclick \"Compare\"\nframes 2");
-    r.open_list("Compare view", "Divider");
+    r.play("click \"View Divider\"\nframes 2");
     REQUIRE(r.state().view == ui::CompareView::divider);
     r.play("wait");
     const Scene before = r.designer().scene;
@@ -59,7 +59,7 @@ TEST_CASE("compare: the divider is dragged, and the light stays where it is") {
 TEST_CASE("compare: the present design differs from its snapshot by nothing until it is edited") {
     Rig r;
     r.play("wait\nclick \"Compare\"\nframes 2\nclick \"Take snapshot\"\nframes 2");
-    r.open_list("Compare view", "Difference");
+    r.play("click \"View Difference\"\nframes 2");
     CHECK(r.state().left >= 100);
     CHECK(r.state().right == 0);
     r.play("wait");
@@ -71,8 +71,9 @@ TEST_CASE("compare: the present design differs from its snapshot by nothing unti
 
 TEST_CASE("compare: each opponent can be chosen and is baked without a wait of the interface") {
     Rig r;
+    r.layers()[0].lobe = GaussianLobe{0.8, 0.8};  // rough, so that maskings differ
     r.play("wait\nclick \"Compare\"\nframes 2");
-    r.open_list("Compare view", "Difference");
+    r.play("click \"View Difference\"\nframes 2");
     for (const Opponent& opponent : all_opponents()) {
         CAPTURE(label_of(opponent));
         r.open_list("Right", label_of(opponent).c_str());
@@ -95,11 +96,11 @@ TEST_CASE("compare: a factor is shown alone; a model without factors shows none"
     CHECK(r.designer().scene.term == Term::masking2);
     r.play("click \"Compare\"\nframes 2");
     r.state().right = 0;
-    r.open_list("Compare view", "Divider");
+    r.play("click \"View Divider\"\nframes 2");
     CHECK(r.designer().scene.term == Term::masking2);
     r.open_list("Right", "Ward");  // cannot be chosen now
     CHECK(r.state().right == 0);
-    r.play("key Escape\nframes 2\nclick \"Show total\"\nframes 2");
+    r.play("click \"Compare\"\nframes 2\nclick \"Show total\"\nframes 2");
     r.open_list("Right", "Ward");
     CHECK(r.state().right == 1);
     r.play("wait\nclick \"Show P2\"\nframes 2");
