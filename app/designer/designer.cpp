@@ -69,11 +69,14 @@ void draw_compare(Designer& designer) {
 
 void draw_panel(Designer& designer) {
     Design& design = designer.document.design;
-    if (!ImGui::BeginTabBar("tabs")) return;
-    const auto tab = [](const char* label, const auto& contents) {
-        // Narrow, so that no name is cut.
-        const ImVec2 padding = ImGui::GetStyle().FramePadding;
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(padding.x * 0.5f, padding.y));
+    // So that no tab's name is cut.
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, narrow(padding.x * 0.5f, padding.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+    const bool bar = ImGui::BeginTabBar("tabs");
+    ImGui::PopStyleVar();
+    if (!bar) return;
+    const auto tab = [narrow](const char* label, const auto& contents) {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
         const bool open = ImGui::BeginTabItem(label);
         ImGui::PopStyleVar();
         ui::note_item(label);
@@ -131,18 +134,17 @@ void notice_rest(Designer& designer, const Distribution& shown) {
     designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
 }
 
-// Asks for tables of what is shown now. True when a draft is to come.
-bool ask(Designer& designer) {
+// Asks for tables of what is shown now.
+void ask(Designer& designer) {
     Design shown = shown_design(designer);
     notice_rest(designer, shown.distribution);
-    return designer.baker.want(
+    designer.baker.want(
         {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
 }
 
 // A draft that comes within a moment is seen in the very frame of the edit that it answers.
 void follow_bake(Designer& designer) {
-    const bool draft = ask(designer);
-    if (auto tables = designer.baker.poll(draft ? patience : std::chrono::milliseconds(0))) {
+    if (auto tables = designer.baker.poll(patience)) {
         designer.tables_text = tables_text(*tables);
         designer.tables = tables;
         designer.preview.show(std::move(tables));
@@ -164,14 +166,17 @@ void draw_frame(Designer& designer) {
     if (const auto command = ui::menu_bar(menu)) perform(designer, *command);
 
     designer.canvas.state.marked = designer.preview.pointed_at();
-    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
-                                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
-                                  .preview =
-                                      [&] {
-                                          follow_bake(designer);
-                                          draw_preview(designer);
-                                      },
-                                  .status = [&] { draw_status(designer); }});
+    // The bake of what was painted runs while the canvas is drawn.
+    const auto edited = [&] { ask(designer); };
+    draw_layout(designer.layout,
+                {.panel = [&] { draw_panel(designer); },
+                 .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
+                 .preview =
+                     [&] {
+                         follow_bake(designer);
+                         draw_preview(designer);
+                     },
+                 .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
     if (!designer.files.talking())
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
