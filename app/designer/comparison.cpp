@@ -175,7 +175,9 @@ void Comparison::follow(const PresentDesign& present, const Scene& scene, Previe
 
 std::string Comparison::problem() const {
     if (state.view == ui::CompareView::off) return {};
-    return jobs_[0].problem().empty() ? jobs_[1].problem() : jobs_[0].problem();
+    for (int i = 0; i < 2; ++i)
+        if (asked_[i] == side(i) && !jobs_[i].problem().empty()) return jobs_[i].problem();
+    return {};
 }
 
 void Comparison::wait() const {
