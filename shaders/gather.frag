@@ -1,6 +1,6 @@
-// Light of the surroundings that the object reflects toward a distant viewer: a sum over samples, to be added to
-// those before. A sample draws one visible facet of p and one direction of light, and weighs both by the balance
-// heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
+// Light of the surroundings that the object reflects toward a distant viewer: a sum over samples, to be added
+// to those before. A sample draws one visible facet of p and one direction of light, and weighs both by the
+// balance heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
 
 uniform sampler2D facet_order;
 uniform sampler2D light_order;
@@ -21,7 +21,7 @@ vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
     float by_facets = viewer.g > 0.0 ? density(sum / length(sum)) / (4.0 * viewer.g) : 0.0;
     float either = by_light + by_facets;
     if (!(either > 0.0)) return vec3(0.0);
-    return brdf_of(direction(k1), viewer) * light * (k1.z / either);
+    return shown_brdf(direction(k1), viewer) * light * (k1.z / either);
 }
 
 vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at) {
@@ -50,8 +50,8 @@ float radical_inverse(uint i) {
     return float(i >> 8) / 16777216.0;
 }
 
-// Where a texel's sequence begins, so that neighbours err apart (Cranley & Patterson 1976): a hash of its place, the
-// same in every run.
+// Where a texel's sequence begins, so that neighbours err apart (Cranley & Patterson 1976): a hash of its
+// place, the same in every run.
 float turn(uvec2 texel) {
     uint x = texel.x * 1664525u + texel.y * 22695477u + 1013904223u;
     x = (x ^ (x >> 16)) * 2246822519u;

@@ -24,21 +24,31 @@ out vec4 radiance;
 vec3 lit(Direction viewer, mat3 frame, vec3 toward, vec3 irradiance) {
     vec3 k1 = toward * frame;
     if (k1.z <= 0.0 || viewer.k.z <= 0.0) return vec3(0.0);
-    return brdf_of(direction(k1), viewer) * irradiance * k1.z;
+    return shown_brdf(direction(k1), viewer) * irradiance * k1.z;
 }
 
-// The radiance toward the viewer of a surface whose tangent, bitangent and normal are the columns of `frame`,
+// The radiance (or, of the main light, the factor: see shown.glsl) toward the viewer of a surface whose tangent, bitangent and normal are the columns of `frame`,
 // in view space.
 vec3 shade(mat3 frame) {
     Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
+#if SHOWS_FACTOR
+#if SHOWS_MASKING_2
+    vec3 k1 = viewer.k;  // the light plays no part
+#else
+    vec3 k1 = light_direction * frame;
+#endif
+    if (k1.z <= 0.0 || viewer.k.z <= 0.0) return vec3(0.0);
+    return factor(direction(k1), viewer);
+#else
     vec3 sum = lit(viewer, frame, light_direction, light_irradiance);
 #if SECOND_LIGHT
     sum += lit(viewer, frame, second_direction, second_irradiance);
 #endif
 #if AMBIENT_LIGHT
-    sum += total_albedo(viewer) * ambient_radiance;
+    sum += shown_albedo(viewer) * ambient_radiance;
 #endif
     return sum;
+#endif
 }
 
 #if SURROUNDINGS
@@ -51,6 +61,9 @@ vec3 wall(vec2 at) {
 #else
 // A quiet wall: brighter behind the object, falling off toward the corners.
 vec3 wall(vec2 at) {
+#if SHOWS_FACTOR
+    return vec3(0.0);
+#endif
     float r2 = dot(at, at);
     return background / (1.0 + 0.35 * r2 + 0.05 * r2 * r2);
 }

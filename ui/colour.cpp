@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/paint/srgb.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/widgets.h"
@@ -12,11 +13,7 @@
 namespace nacre::ui {
 namespace {
 
-// The transfer function of IEC 61966-2-1.
-double encoded(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
+// The inverse of srgb_encoded().
 double decoded(double value) {
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
@@ -48,7 +45,7 @@ void linear_fields(const char* label, glm::dvec3& linear, glm::dvec3 reset, cons
 // A channel that was not touched keeps all its digits.
 void swatch(glm::dvec3& linear) {
     float values[3], shown[3];
-    for (int i = 0; i < 3; ++i) values[i] = shown[i] = static_cast<float>(encoded(linear[i]));
+    for (int i = 0; i < 3; ++i) values[i] = shown[i] = static_cast<float>(srgb_encoded(linear[i]));
     ImGui::ColorEdit3(
         "##swatch", values,
         ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_PickerHueWheel);

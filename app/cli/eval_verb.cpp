@@ -1,7 +1,7 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iterator>
-#include <map>
 
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
@@ -21,20 +21,18 @@ struct EvalOptions {
     BakeOptions bake = {};
 };
 
-const std::map<std::string, Term>& terms() {
-    static const std::map<std::string, Term> known = {
-        {"specular", Term::specular}, {"diffuse", Term::diffuse}, {"total", Term::total}};
-    return known;
-}
+// Of the contract's, what this version has not.
+bool unarrived(const std::string& name) { return name == "multibounce" || name == "facets"; }
 
 std::string known_term(const std::string& name) {
-    if (terms().contains(name) || name == "multibounce" || name == "facets") return {};
-    return "must be specular, diffuse, multibounce, facets or total";
+    if (term_by_name(name) || unarrived(name)) return {};
+    return fmt::format("must be {}, multibounce or facets", fmt::join(term_names(), ", "));
 }
 
 // The coupled terms read R, which costs most; without them none is needed.
 Design only_what_counts(Design design, Term term) {
-    if (term == Term::specular && !std::holds_alternative<LambertianDiffuse>(design.diffuse))
+    if (term != Term::total && term != Term::diffuse &&
+        !std::holds_alternative<LambertianDiffuse>(design.diffuse))
         design.diffuse = NoDiffuse{};
     return design;
 }
@@ -76,14 +74,13 @@ void answer_exactly(const Design& design, const EvalOptions& options, Term term,
 }
 
 int eval(const EvalOptions& options, const Interrupt& interrupt) {
-    const auto term = terms().find(options.term);
-    if (term == terms().end())
-        throw std::runtime_error("--term " + options.term + ": this term has not arrived yet");
-    const Design design = only_what_counts(load_design(options.design), term->second);
+    const auto term = term_by_name(options.term);
+    if (!term) throw std::runtime_error("--term " + options.term + ": this term has not arrived yet");
+    const Design design = only_what_counts(load_design(options.design), *term);
     if (options.exact) {
-        answer_exactly(design, options, term->second, interrupt);
+        answer_exactly(design, options, *term, interrupt);
     } else {
-        answer_from_tables(design, options, term->second, interrupt);
+        answer_from_tables(design, options, *term, interrupt);
     }
     return 0;
 }
@@ -93,7 +90,8 @@ int eval(const EvalOptions& options, const Interrupt& interrupt) {
 void declare_eval(Command& command, Action& action) {
     const auto options = std::make_shared<EvalOptions>();
     command.option("DESIGN", options->design, "a .nacre file").required();
-    command.option("--term", options->term, "specular, diffuse or total (default total)").check(known_term);
+    command.option("--term", options->term, fmt::format("{} (default total)", fmt::join(term_names(), ", ")))
+        .check(known_term);
     command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
     add_tolerance_option(command, options->bake);
     command.footer(

@@ -45,6 +45,7 @@ Scene SceneOptions::scene() const {
     if (!environment.empty())
         scene.environment = {load_environment(environment), rotation, brightness, backdrop,
                              !name.empty() || !light.empty()};
+    scene.term = term_by_name(term).value_or(Term::total);
     return scene;
 }
 
@@ -80,6 +81,10 @@ void add_scene_options(Command& command, SceneOptions& options) {
     command.flag("--backdrop", options.backdrop, "shows the environment behind the object");
     command.option("--samples", options.samples, "a pixel, of the environment's light (default 256)")
         .within(1, 65536);
+    command
+        .option("--term", options.term,
+                fmt::format("what of the BRDF is shown: {} (default total)", fmt::join(term_names(), ", ")))
+        .one_of(term_names());
 }
 
 }  // namespace nacre::cli

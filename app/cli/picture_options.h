@@ -13,8 +13,8 @@ namespace nacre::cli {
 void add_size_option(Command& command, glm::ivec2& size, int smallest);
 
 // --object NAME|FILE.obj, --scene NAME, --light THETA,PHI, --exposure EV and what stands around:
-// --environment NAME|FILE, --rotation, --brightness, --backdrop and --samples. Under an environment no light
-// shines that is not asked for.
+// --environment NAME|FILE, --rotation, --brightness, --backdrop and --samples; --term NAME. Under an
+// environment no light shines that is not asked for.
 struct SceneOptions {
     std::string object = "sphere";  // see make_object()
     std::string name;               // empty: "single"
@@ -25,6 +25,7 @@ struct SceneOptions {
     double brightness = 1;
     bool backdrop = false;
     int samples = 256;  // a pixel
+    std::string term = "total";
 
     // Makes the object and the environment: what is wrong with their files is a UserError.
     Scene scene() const;

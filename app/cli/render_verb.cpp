@@ -1,5 +1,4 @@
-#include <stdexcept>
-
+#include "app/cli/compare_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
@@ -17,22 +16,24 @@ struct RenderOptions {
     std::string image;
     glm::ivec2 size{800, 800};
     SceneOptions scene;
-    std::string compare;
+    CompareOptions compare;
 };
 
 int render(const RenderOptions& options, Interrupt& interrupt) {
-    if (!options.compare.empty())
-        throw std::runtime_error("--compare " + options.compare + ": comparing has not arrived yet");
     const ImageFormat format = image_format(options.image);
     const Design design = load_design(options.design);
     const Scene scene = options.scene.scene();
     const auto context = make_offscreen_context({16, 16});
+    const bool linear = format == ImageFormat::exr;
     RenderedImage image;
-    {
+    if (!options.compare.model.empty()) {
+        image = render_comparison(options.compare, design, options.design, scene, options.size, linear,
+                                  options.scene.samples, interrupt);
+    } else {
         Progress progress("rendering");
         image = about_file(options.design, [&] {
             return render_design(
-                design, scene, options.size, format == ImageFormat::exr, interrupt.token(),
+                design, scene, options.size, linear, interrupt.token(),
                 [&](double done) { progress.report(done); }, options.scene.samples);
         });
     }
@@ -49,7 +50,7 @@ void declare_render(Command& command, Action& action) {
         .required();
     add_size_option(command, options->size, 16);
     add_scene_options(command, options->scene);
-    command.option("--compare", options->compare, "another model beside it; not in this version");
+    add_compare_options(command, options->compare);
     command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return render(*options, interrupt); };
     });

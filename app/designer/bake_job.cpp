@@ -25,7 +25,7 @@ bool same_draft(const BakeRequest& a, const BakeRequest& b) {
 // `drafted` is the request whose draft was published last: it needs no other.
 void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeRequest& request,
                 const std::stop_token& stop, const Job::Publish& publish, int threads) {
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness);
+    give_way();
     check_design(request.design, "design");
     for (const Quality quality : {Quality::draft, Quality::final}) {
         const bool same = drafted && same_draft(*drafted, request);
@@ -37,6 +37,10 @@ void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeReq
     }
 }
 
+}  // namespace
+
+void give_way() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness); }
+
 std::string plain_words(const std::exception_ptr& error) {
     try {
         std::rethrow_exception(error);
@@ -47,8 +51,6 @@ std::string plain_words(const std::exception_ptr& error) {
         return other.what();
     }
 }
-
-}  // namespace
 
 BakeJob::BakeJob(int threads, std::function<void()> notify)
     : job_(

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +21,12 @@ struct BakeRequest {
     bool settled = true;  // false while a hand still moves something: a draft will do
     bool operator==(const BakeRequest&) const = default;
 };
+
+// Lowers the calling worker's priority, and so that of the threads that it starts, under drawing.
+void give_way();
+
+// What a worker threw, for people to read.
+std::string plain_words(const std::exception_ptr& error);
 
 class BakeJob {
   public:

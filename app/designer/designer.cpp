@@ -12,6 +12,7 @@
 #include "ui/material_panel.h"
 #include "ui/presets_panel.h"
 #include "ui/status_line.h"
+#include "ui/term_bar.h"
 #include "ui/widgets.h"
 
 namespace nacre {
@@ -46,11 +47,39 @@ void draw_material(Design& design) {
     ui::note_field(design.note);
 }
 
+Design shown_design(const Designer& designer) {
+    Design shown = designer.document.design;
+    shown.distribution = ui::shown(designer.layers, shown.distribution);
+    return shown;
+}
+
+// Final tables of this design, if they are what the preview shows.
+std::shared_ptr<const Tables> final_tables(const Designer& designer) {
+    const bool newest = designer.baker.answered() == designer.baker.asked();
+    const bool final = designer.tables && designer.tables->plan.quality == Quality::final;
+    return newest && final ? designer.tables : nullptr;
+}
+
+void draw_compare(Designer& designer) {
+    Design& design = designer.document.design;
+    const bool whole = shown_design(designer) == design;
+    const PresentDesign present{design, whole ? final_tables(designer) : nullptr, designer.settled};
+    if (auto restored = designer.comparison.draw_panel(present, designer.scene, designer.preview))
+        design = *std::move(restored);
+}
+
 void draw_panel(Designer& designer) {
     Design& design = designer.document.design;
-    if (!ImGui::BeginTabBar("tabs")) return;
-    const auto tab = [](const char* label, const auto& contents) {
+    // So that no tab's name is cut.
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, narrow(padding.x * 0.5f, padding.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+    const bool bar = ImGui::BeginTabBar("tabs");
+    ImGui::PopStyleVar();
+    if (!bar) return;
+    const auto tab = [narrow](const char* label, const auto& contents) {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
         const bool open = ImGui::BeginTabItem(label);
+        ImGui::PopStyleVar();
         ui::note_item(label);
         if (!open) return;
         ImGui::Spacing();
@@ -64,12 +93,19 @@ void draw_panel(Designer& designer) {
         designer.environment.rows(designer.scene.environment);
         scene_panel(designer.scene);
     });
+    tab("Compare", [&] { draw_compare(designer); });
     tab("Presets", [&] { draw_presets(designer); });
     ImGui::EndTabBar();
 }
 
 // The tools of the canvas work on the sphere too, but for the handles: those leave the light to the pointer.
 void draw_preview(Designer& designer) {
+    Scene& scene = designer.scene;
+    const bool shows_model = designer.comparison.shows_model();
+    if (shows_model && is_factor(scene.term)) scene.term = Term::total;
+    ui::term_bar(scene.term, !shows_model);
+    const Design shown = shown_design(designer);
+    designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);
     ui::CanvasState& canvas = designer.canvas.state;
     const bool probing = canvas.tool == ui::CanvasTool::handles || canvas.tool == ui::CanvasTool::grab;
     const std::optional<dvec3>& there = designer.canvas.pointed_at();
@@ -104,8 +140,7 @@ void notice_rest(Designer& designer, const Distribution& shown) {
 
 // Asks for tables of what is shown now.
 void ask(Designer& designer) {
-    Design shown = designer.document.design;
-    shown.distribution = ui::shown(designer.layers, shown.distribution);
+    Design shown = shown_design(designer);
     notice_rest(designer, shown.distribution);
     designer.baker.want(
         {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
@@ -116,6 +151,7 @@ void follow_bake(Designer& designer) {
     const auto longest = designer.preview.has_picture() ? patience : first_patience;
     if (auto tables = designer.baker.poll(longest)) {
         designer.tables_text = tables_text(*tables);
+        designer.tables = tables;
         designer.preview.show(std::move(tables));
     }
 }
@@ -123,7 +159,7 @@ void follow_bake(Designer& designer) {
 }  // namespace
 
 Designer::Designer(int bake_threads, std::function<void()> wake)
-    : baker(bake_threads, std::move(wake)), presets(list_presets(presets_folder())) {}
+    : baker(bake_threads, wake), comparison(bake_threads, wake), presets(list_presets(presets_folder())) {}
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;

@@ -9,6 +9,7 @@
 
 #include "app/designer/bake_job.h"
 #include "app/designer/canvas_pane.h"
+#include "app/designer/comparison.h"
 #include "app/designer/document.h"
 #include "app/designer/environment_panel.h"
 #include "app/designer/file_flow.h"
@@ -31,6 +32,7 @@ struct Designer {
     Scene scene;
     BakeJob baker;
     PreviewPane preview;
+    Comparison comparison;
     CanvasPane canvas;
     FileFlow files;
     PictureDrop pictures;
@@ -41,7 +43,8 @@ struct Designer {
     Distribution last_shown;  // p of the frame before, ...
     double changed_at = 0;    // ... when it last changed, seconds on Dear ImGui's clock, ...
     bool settled = true;      // ... and whether it rests, so that final tables are worth their time
-    std::string tables_text;  // the shown tables, for the status line
+    std::shared_ptr<const Tables> tables;  // that the preview shows
+    std::string tables_text;               // the shown tables, for the status line
 };
 
 // Draws one frame and acts on its input. Never waits for the worker.

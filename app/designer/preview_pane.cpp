@@ -13,6 +13,8 @@
 #include "app/designer/preview_mouse.h"
 #include "app/gl/gl.h"
 #include "app/preview/probe.h"
+#include "core/paint/colour_map.h"
+#include "ui/compare_overlay.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -33,6 +35,11 @@ constexpr double degrees_per_pixel = 0.4;  // of a drag that turns the surroundi
 
 void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     preview_.set(std::move(tables));
+    stale_ = true;
+}
+
+void PreviewPane::show_side(int side, const std::optional<ComparedSurface>& surface) {
+    compared_.show(side, surface);
     stale_ = true;
 }
 
@@ -61,6 +68,7 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     const ImVec2 size = ImGui::GetContentRegionAvail();
     if (size.x < 1 || size.y < 1) return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (look.view == ui::CompareView::divider) ui::divider_handle(look.divider, corner, size);
     ImGui::InvisibleButton("Preview", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
@@ -70,15 +78,14 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     if (preview_.empty()) return;
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     redraw_if_needed(scene, {int(size.x * scale.x), int(size.y * scale.y)});
-    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(preview_.texture()));
-    const ImVec2 end(corner.x + size.x, corner.y + size.y);
-    ImGui::GetWindowDrawList()->AddImage(texture, corner, end, ImVec2(0, 1), ImVec2(1, 0));
+    compared_.paint(preview_, look, corner, size);
     if (glow && lights_shine(scene)) draw_glow(scene, *glow, radius, corner, size);
+    draw_marks(scene, corner, size);
     draw_progress(corner, size);
 }
 
 void PreviewPane::draw_progress(ImVec2 corner, ImVec2 size) const {
-    const GatherProgress progress = preview_.progress();
+    const GatherProgress progress = compared_.progress(preview_, look);
     if (progress.goal == 0) return;
     const std::string text =
         fmt::format("environment {} of {}", std::min(progress.samples, progress.goal), progress.goal);
@@ -86,6 +93,24 @@ void PreviewPane::draw_progress(ImVec2 corner, ImVec2 size) const {
     ImGui::GetWindowDrawList()->AddText(
         ImVec2(corner.x + margin, corner.y + size.y - margin - ImGui::GetFontSize()),
         ImGui::GetColorU32(ui::palette::text_dim), text.c_str());
+}
+
+// The divider, the names of the sides and the scale of a factor.
+void PreviewPane::draw_marks(const Scene& scene, ImVec2 corner, ImVec2 size) {
+    if (look.view == ui::CompareView::divider) ui::draw_divider(look.divider, corner, size);
+    if (look.view != ui::CompareView::off) ui::side_labels(look.labels[0], look.labels[1], corner, size);
+    if (!is_factor(scene.term) || look.view == ui::CompareView::difference) return;
+    const FactorScale scale = preview_.shown_scale(scene);
+    const ScaleEnds ends = ends_in_words(scene.term, scale);
+    ui::scale_legend({.title = info(scene.term).label,
+                      .low = ends.low,
+                      .high = ends.high,
+                      .colour =
+                          [&](float t) {
+                              const glm::u8vec3 c = colour_of(scale, static_cast<double>(t));
+                              return IM_COL32(c.x, c.y, c.z, 255);
+                          }},
+                     corner, size);
 }
 
 // What the pointer on the object means to the canvas's tool. Returns whether the left button is the tool's.
@@ -124,14 +149,15 @@ void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImV
 
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     const double now = ImGui::GetTime();
-    const bool changed = stale_ || scene != drawn_scene_ || size != drawn_size_;
+    const bool changed = stale_ || scene != drawn_scene_ || size != drawn_size_ || look.view != drawn_view_ ||
+                         look.difference != drawn_difference_;
     if (changed) {
         changed_at_ = now;
         last_motion_ = stale_ ? Motion::tables : Motion::scene;
     }
     const bool moves = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
     const Pace pace = insist_on_best_ ? Pace::insisting : moves ? Pace::moving : Pace::resting;
-    const bool gathers = scene.environment.picture != nullptr;
+    const bool gathers = gathers_light(scene);
     const double a_sample = seconds_a_sample_ + (gathers ? preview_.seconds_a_sample() : 0);
     const DrawQuality quality =
         insist_on_best_ ? best_quality : choose_quality(a_sample, size, moves ? last_motion_ : Motion::none);
@@ -140,16 +166,18 @@ void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     if (changed || (finer && pace != Pace::moving))
         redraw(scene, size, quality, pace);
     else
-        preview_.refine(gather_seconds);
+        compared_.refine(preview_, gather_seconds, look);
 }
 
 void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace) {
     const glm::ivec2 texels = glm::max(glm::ivec2(glm::dvec2(size) / quality.divisor), glm::ivec2(1));
-    if (scene.environment.picture)
+    if (gathers_light(scene))
         gather(scene, texels, quality.supersample, pace);
     else
         measured_draw(scene, texels, quality.supersample);
     drawn_scene_ = scene;
+    drawn_view_ = look.view;
+    drawn_difference_ = look.difference;
     drawn_size_ = size;
     drawn_quality_ = quality;
     drawn_pace_ = pace;
@@ -162,16 +190,16 @@ void PreviewPane::gather(const Scene& scene, glm::ivec2 texels, int supersample,
     const int goal = pace == Pace::insisting ? screenshot_samples
                      : pace == Pace::moving  ? moving_samples
                                              : usual_samples;
-    preview_.begin(scene, texels, supersample, goal);
+    compared_.begin(preview_, scene, texels, supersample, goal, look);
     do {
-        preview_.refine(gather_seconds);
-    } while ((pace == Pace::moving && preview_.progress().samples == 0) ||
+        compared_.refine(preview_, gather_seconds, look);
+    } while ((pace == Pace::moving && compared_.progress(preview_, look).samples == 0) ||
              (pace == Pace::insisting && gathering()));
 }
 
 void PreviewPane::measured_draw(const Scene& scene, glm::ivec2 texels, int supersample) {
     const auto begin = std::chrono::steady_clock::now();
-    preview_.draw(scene, texels, supersample);
+    compared_.draw(preview_, scene, texels, supersample, look);
     glFinish();  // the time that drawing takes decides how finely the next picture is drawn
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const double samples = double(texels.x) * texels.y * supersample * supersample;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/designer/compared_pictures.h"
 #include "app/designer/draw_quality.h"
 #include "app/preview/preview.h"
 #include "app/preview/scene.h"
@@ -20,6 +21,13 @@ namespace nacre {
 class PreviewPane {
   public:
     void show(std::shared_ptr<const Tables> tables);
+
+    // What stands at a side of a comparison (0: left); without a surface, the present design.
+    void show_side(int side, const std::optional<ComparedSurface>& surface);
+
+    // How the next picture compares; its divider follows the hand that drags it.
+    CompareLook look;
+    const std::optional<DifferenceNumbers>& difference() const { return compared_.numbers(); }
 
     // Fills the current Dear ImGui window. Left drag moves the light, right or middle drag orbits, the
     // wheel zooms. Draws anew only what changed.
@@ -37,7 +45,10 @@ class PreviewPane {
     bool has_picture() const { return !preview_.empty(); }
 
     // The picture still gathers the light of its surroundings: it differs from frame to frame.
-    bool gathering() const { return preview_.progress().samples < preview_.progress().goal; }
+    bool gathering() const {
+        const GatherProgress progress = compared_.progress(preview_, look);
+        return progress.samples < progress.goal;
+    }
 
     // What lies under the pixels of a picture of this size.
     const SurfaceImage& surface(const Scene& scene, glm::ivec2 size) { return preview_.surface(scene, size); }
@@ -45,6 +56,7 @@ class PreviewPane {
   private:
     void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken);
     bool work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool);
+    void draw_marks(const Scene& scene, ImVec2 corner, ImVec2 size);
     void draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);
     enum class Pace { moving, resting, insisting };
@@ -55,12 +67,15 @@ class PreviewPane {
     void draw_progress(ImVec2 corner, ImVec2 size) const;
 
     Preview preview_;
+    ComparedPictures compared_;
     Texture glow_;
     std::optional<glm::dvec3> pointed_at_;
     bool tool_works_ = false;  // the held button is the tool's
     bool insist_on_best_ = false;
     bool stale_ = true;
     Scene drawn_scene_;
+    ui::CompareView drawn_view_ = ui::CompareView::off;
+    DifferenceLook drawn_difference_;
     glm::ivec2 drawn_size_{0};
     DrawQuality drawn_quality_;
     Pace drawn_pace_ = Pace::moving;

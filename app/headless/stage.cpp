@@ -44,6 +44,7 @@ void Stage::wait_for_bake() {
     } while (!designer_->settled);
     designer_->baker.wait();
     designer_->environment.wait();
+    designer_->comparison.wait();
     frame(false);
 }
 

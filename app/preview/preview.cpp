@@ -6,12 +6,14 @@
 
 #include "app/preview/upload.h"
 #include "core/exchange/shader_variant.h"
+#include "core/paint/colour_map.h"
 #include "shaders/shader_text.h"
 
 namespace nacre {
 namespace {
 
 constexpr std::size_t programs_kept = 24;  // variants that an editing session may go back and forth between
+constexpr int colours = 256;               // of the map for numbers
 constexpr glm::dvec3 background{0.045, 0.047, 0.052};
 constexpr double background_slope =
     0.25;  // of surroundings: at the usual zoom about 35 degrees are in the picture
@@ -43,11 +45,23 @@ class SavedState {
 
 }  // namespace
 
-Preview::Preview() : develop_(text("full_screen.vert"), text("develop.frag")) {}
+Preview::Preview() : develop_(text("full_screen.vert"), text("develop.frag")) {
+    std::vector<glm::u8vec4> map;
+    for (int i = 0; i < colours; ++i) map.emplace_back(inferno(i / (colours - 1.0)), 255);
+    colours_.store({colours, 1}, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, map.data(), GL_LINEAR);
+}
 
-void Preview::set(std::shared_ptr<const Tables> tables) {
+void Preview::set(std::shared_ptr<const Tables> tables, std::shared_ptr<const ClosedForm> model) {
     tables_ = std::move(tables);
-    store_data(data_, tables_->data);
+    model_ = std::move(model);
+    if (!model_) return store_data(data_, tables_->data);
+    std::vector<float> data = tables_->data;
+    data.insert(data.end(), model_->albedo.begin(), model_->albedo.end());
+    store_data(data_, data);
+}
+
+FactorScale Preview::scale(const Scene& scene) const {
+    return factor_scale(scene.term, *tables_, scene.exposure);
 }
 
 const Program& Preview::program_of(const std::string& fragment) {
@@ -57,13 +71,22 @@ const Program& Preview::program_of(const std::string& fragment) {
     return *program;
 }
 
+ShaderVariant Preview::variant() const {
+    ShaderVariant variant = variant_of(tables_->shading);
+    variant.term = frame_.scene.term;
+    if (model_) variant.closed_form = model_->form.model;
+    return variant;
+}
+
 const Program& Preview::surface_program() {
     const Scene& scene = frame_.scene;
-    ShaderVariant variant = variant_of(tables_->shading);
-    variant.second_light = scene.second_light && lights_shine(scene);
-    variant.ambient = scene.ambient && lights_shine(scene) && variant.kinds.albedo;
-    variant.surroundings = frame_.gathers() && scene.environment.visible;
-    return program_of(fragment_shader(variant, "surface.frag"));
+    ShaderVariant chosen = variant();
+    chosen.second_light = scene.second_light && lights_shine(scene);
+    // A model whose albedo is not made yet waits for it in the dark, as a design does.
+    const bool known = chosen.kinds.albedo && !(model_ && model_->albedo.empty());
+    chosen.ambient = scene.ambient && lights_shine(scene) && known;
+    chosen.surroundings = frame_.gathers() && scene.environment.visible;
+    return program_of(fragment_shader(chosen, "surface.frag"));
 }
 
 void Preview::draw_radiance() {
@@ -82,6 +105,7 @@ void Preview::draw_radiance() {
     geometry_.normals().bind(1);
     geometry_.tangents().bind(2);
     upload_surface(program, tables_->shading, 0);
+    if (model_) upload_closed_form(program, model_->form);
     set_uniform(program, "normals", 1);
     set_uniform(program, "tangents", 2);
     set_uniform(program, "target_size", glm::dvec2(texels));
@@ -94,7 +118,8 @@ void Preview::draw_radiance() {
     set_uniform(program, "background", background);
     set_uniform(program, "background_slope", background_slope);
     if (frame_.gathers()) gathering_.upload_surroundings(program, scene, 3);
-    // Nobody reads its alpha, and Mesa's software renderer compiles a shader that writes all of a texel twice.
+    // Nobody reads its alpha, and Mesa's software renderer compiles a shader that writes all of a texel
+    // twice.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     full_screen_.draw();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -102,25 +127,48 @@ void Preview::draw_radiance() {
 
 // See Gathering::add.
 double Preview::gather(double most) {
-    const Program& program = program_of(fragment_shader(variant_of(tables_->shading), "gather.frag"));
+    const Program& program = program_of(fragment_shader(variant(), "gather.frag"));
     glUseProgram(program.name());
     data_.bind(0);
     upload_surface(program, tables_->shading, 0);
+    if (model_) upload_closed_form(program, model_->form);
     return gathering_.add(program, geometry_, frame_.scene, most, frame_.goal);
 }
 
-void Preview::develop(bool linear) {
-    developed_.bind(frame_.size, linear ? GL_RGBA32F : GL_RGBA8);
+void Preview::develop(Target& target, const Development& how) {
+    target.bind(frame_.size, how.linear ? GL_RGBA32F : GL_RGBA8);
     glUseProgram(develop_.name());
     radiance_.texture().bind(0);
-    gathering_.gathered().bind(1);
+    colours_.bind(1);
+    gathering_.gathered().bind(2);
     set_uniform(develop_, "radiance", 0);
-    set_uniform(develop_, "gathered", 1);
+    set_uniform(develop_, "colours", 1);
+    set_uniform(develop_, "gathered", 2);
     set_uniform(develop_, "surrounded", frame_.gathers() ? 1 : 0);
     set_uniform(develop_, "supersample", frame_.supersample);
-    set_uniform(develop_, "exposure", std::exp2(frame_.scene.exposure));
-    set_uniform(develop_, "linear", linear ? 1 : 0);
+    set_uniform(develop_, "exposure", how.exposure);
+    set_uniform(develop_, "linear", how.linear ? 1 : 0);
+    set_uniform(develop_, "is_factor", how.factor ? 1 : 0);
+    if (how.factor) {
+        set_uniform(develop_, "coloured", how.factor->coloured ? 1 : 0);
+        set_uniform(develop_, "logarithmic", how.factor->logarithmic ? 1 : 0);
+        set_uniform(develop_, "low", how.factor->low);
+        set_uniform(develop_, "high", how.factor->high);
+    }
     full_screen_.draw();
+}
+
+void Preview::develop_as_seen() {
+    Development how{.exposure = std::exp2(frame_.scene.exposure)};
+    // A factor's scale holds the exposure.
+    if (is_factor(frame_.scene.term)) how = {.factor = shown_scale(frame_.scene)};
+    develop(developed_, how);
+}
+
+std::vector<float> Preview::numbers() {
+    const SavedState state;
+    develop(numbers_, {.linear = true});
+    return numbers_.read();
 }
 
 void Preview::draw(const Scene& scene, glm::ivec2 size, int supersample) {
@@ -128,7 +176,7 @@ void Preview::draw(const Scene& scene, glm::ivec2 size, int supersample) {
     frame_ = {scene, size, supersample, 1};
     draw_radiance();
     while (frame_.gathers() && gathering_.samples() < frame_.goal) gather(gathered_at_once);
-    develop(false);
+    develop_as_seen();
 }
 
 void Preview::begin(const Scene& scene, glm::ivec2 size, int supersample, int goal) {
@@ -149,7 +197,7 @@ void Preview::refine(double seconds) {
         glFinish();  // the time that gathering takes decides how much of it fits
         gathers_a_second_ = done / std::max(passed() - before, 1e-6);
     } while (gathering_.samples() < frame_.goal && passed() < 0.7 * seconds);
-    if (gathering_.samples() > 0) develop(false);
+    if (gathering_.samples() > 0) develop_as_seen();
 }
 
 GatherProgress Preview::progress() const {
@@ -167,8 +215,12 @@ std::vector<float> Preview::picture(const Scene& scene, glm::ivec2 size, int sup
         gather(gathered_at_once);
         glFinish();
     }
-    develop(linear);
-    return developed_.read();
+    if (!linear) {
+        develop_as_seen();
+        return developed_.read();
+    }
+    develop(numbers_, {.exposure = std::exp2(scene.exposure), .linear = true});
+    return numbers_.read();
 }
 
 const SurfaceImage& Preview::surface(const Scene& scene, glm::ivec2 size) {

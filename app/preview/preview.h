@@ -4,7 +4,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
+#include "app/preview/factor_scale.h"
 #include "app/preview/gathering.h"
 #include "app/preview/geometry_buffer.h"
 #include "app/preview/gl_objects.h"
@@ -12,6 +14,8 @@
 #include "app/preview/surface_image.h"
 #include "core/bake/tables.h"
 #include "core/design/design.h"
+#include "core/exchange/shader_variant.h"
+#include "core/measure/closed_form.h"
 
 namespace nacre {
 
@@ -27,8 +31,9 @@ class Preview {
   public:
     Preview();
 
-    // What is drawn from now on. The tables hold all that the shader needs of their design.
-    void set(std::shared_ptr<const Tables> tables);
+    // What is drawn from now on. The tables hold all that the shader needs of their design; a model stands in
+    // the place of their own BRDF.
+    void set(std::shared_ptr<const Tables> tables, std::shared_ptr<const ClosedForm> model = nullptr);
     bool empty() const { return !tables_; }
 
     // The developed picture (exposure, filmic curve, sRGB) as RGBA8 in texture(), top row last as OpenGL has
@@ -52,6 +57,15 @@ class Preview {
     std::vector<float> picture(const Scene& scene, glm::ivec2 size, int supersample, bool linear,
                                int samples = 1, const std::function<bool(double)>& go_on = {});
 
+    // What was drawn last, as linear radiance without exposure (of a factor, as that): RGBA, bottom row
+    // first.
+    std::vector<float> numbers();
+
+    // How the factor that a scene shows becomes colours; another scale than its own, to compare.
+    FactorScale scale(const Scene& scene) const;
+    FactorScale shown_scale(const Scene& scene) const { return given_scale_.value_or(scale(scene)); }
+    void use_scale(const std::optional<FactorScale>& scale) { given_scale_ = scale; }
+
     // What lies under the pixels of a picture of this size: read back when the object, the camera or the size
     // has changed.
     const SurfaceImage& surface(const Scene& scene, glm::ivec2 size);
@@ -64,19 +78,31 @@ class Preview {
         int supersample = 1;
         int goal = 0;  // samples a texel
 
-        bool gathers() const { return scene.environment.picture != nullptr; }
+        bool gathers() const { return gathers_light(scene); }
+    };
+
+    // See shaders/develop.frag.
+    struct Development {
+        double exposure = 1;  // factor
+        bool linear = false;
+        std::optional<FactorScale> factor = {};
     };
 
     const Program& program_of(const std::string& fragment);
+    ShaderVariant variant() const;
     const Program& surface_program();
     void draw_radiance();
     double gather(double most);
-    void develop(bool linear);
+    void develop(Target& target, const Development& how);
+    void develop_as_seen();
 
     std::shared_ptr<const Tables> tables_;
+    std::shared_ptr<const ClosedForm> model_;
+    std::optional<FactorScale> given_scale_;
     Texture data_;
     FullScreen full_screen_;
     Program develop_;
+    Texture colours_;                                           // of numbers
     std::map<std::string, std::unique_ptr<Program>> programs_;  // by the text of their fragment shader
     GeometryBuffer geometry_;
     GeometryBuffer pixel_geometry_;
@@ -86,6 +112,7 @@ class Preview {
     Frame frame_;
     double gathers_a_second_ = 0;  // samples of single texels; 0 until measured
     Target developed_;
+    Target numbers_;
 };
 
 }  // namespace nacre

@@ -7,6 +7,8 @@
 
 #include "app/preview/scene.h"
 #include "core/design/design.h"
+#include "core/measure/opponent.h"
+#include "core/measure/picture_difference.h"
 
 namespace nacre {
 
@@ -20,5 +22,14 @@ struct RenderedImage {
 RenderedImage render_design(const Design& design, const Scene& scene, glm::ivec2 size, bool linear,
                             std::stop_token stop = {}, const std::function<void(double)>& progress = {},
                             int samples = 256);
+
+// The same of two surfaces under one scene, factors on one scale, and how far apart they are on the object.
+struct RenderedPair {
+    RenderedImage left, right;
+    std::vector<float> left_radiance, right_radiance;  // RGB, top row first, without exposure
+    DifferenceNumbers difference;
+};
+RenderedPair render_pair(const ComparedSurface& left, const ComparedSurface& right, const Scene& scene,
+                         glm::ivec2 size, bool linear, int samples = 256);
 
 }  // namespace nacre

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/preview/object.h"
+#include "core/bake/term.h"
 #include "core/light/environment.h"
 
 namespace nacre {
@@ -49,6 +50,7 @@ struct Scene {
     double yaw = 0;       // degrees, orbit about the object's y axis
     double pitch = 0;     // degrees, the axis leans toward the viewer
     double zoom = 1;
+    Term term = Term::total;  // what of the surface's BRDF is shown; a factor is that of the main light
 
     bool operator==(const Scene&) const = default;
 };
@@ -56,6 +58,9 @@ struct Scene {
 // "single" (one light, as in the paper's figures), "two", "ambient", "studio" (all of them).
 std::vector<std::string> scene_names();
 std::optional<Scene> scene_by_name(std::string_view name);
+
+// Whether an environment lights what is shown: a factor of the BRDF is that of the main light.
+bool gathers_light(const Scene& scene);
 
 // Whether the lights shine: where an environment does, only if they are to.
 bool lights_shine(const Scene& scene);

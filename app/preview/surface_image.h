@@ -32,8 +32,10 @@ class SurfaceImage {
     // The same for the pixel of the object that is nearest to the place; nothing when none shows it.
     std::optional<SurfacePoint> nearest(glm::dvec2 place) const;
 
-  private:
+    // Whether more than half of the pixel (from the top left corner) shows the object.
     bool covered(glm::ivec2 pixel) const;
+
+  private:
     std::size_t texel(glm::ivec2 pixel) const;
 
     glm::ivec2 size_{0};

@@ -45,4 +45,8 @@ void upload_surface(const Program& program, const Shading<double>& shading, int 
     set_uniform(program, "surface_data", unit);
 }
 
+void upload_closed_form(const Program& program, const Shading<double>::ClosedForm& form) {
+    upload_fields(program, "closed_form.", form);
+}
+
 }  // namespace nacre

@@ -9,6 +9,16 @@ dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction
             return shading.specular(a, b) * shading.specular_weight();
         case Term::diffuse:
             return shading.diffuse(a, b);
+        case Term::density:
+            return dvec3{shading.mirroring_density(a, b)};
+        case Term::masking1:
+            return dvec3{shading.masking(a)};
+        case Term::masking2:
+            return dvec3{shading.masking(b)};
+        case Term::fresnel:
+            return shading.mirroring_fresnel(a, b);
+        case Term::inverse_areas:
+            return dvec3{shading.inverse_areas(a, b)};
         case Term::total:
             break;
     }

@@ -4,10 +4,9 @@
 #include <optional>
 
 #include "core/bake/tables.h"
+#include "core/bake/term.h"
 
 namespace nacre {
-
-enum class Term { specular, diffuse, total };
 
 struct BrdfSample {
     dvec3 k2;      // unit, above the horizon
@@ -41,7 +40,8 @@ class Brdf {
     std::shared_ptr<const Tables> tables_;
 };
 
-// One term of the BRDF from what is known of both directions; `shading` holds the design.
+// One term of the BRDF (term.h says in which unit) from what is known of both directions; `shading` holds the
+// design.
 dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction& a,
                 const Shading<double>::Direction& b, Term term);
 

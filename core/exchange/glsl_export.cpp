@@ -68,7 +68,7 @@ std::string constants(const Tables& tables) {
 std::string prefixed(std::string text) {
     static const std::regex definition(
         R"((?:^|\n)(?:#define |struct |const (?:float|int|Surface|Layer) |CONSTANT (?:int|scalar) |)"
-        R"((?:PURE )?(?:float|real3|real2|real|int|integer|condition|TableRows|TableSpot|AlbedoSpot|Direction) (?=\w+\())(\w+))");
+        R"((?:PURE )?(?:float|real3|real2|real|int|integer|condition|TableRows|TableSpot|AlbedoSpot|Direction|HalfVector) (?=\w+\())(\w+))");
     std::set<std::string> names;
     for (std::sregex_iterator match(text.begin(), text.end(), definition), end; match != end; ++match)
         names.insert((*match)[1].str());

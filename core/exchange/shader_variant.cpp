@@ -20,11 +20,33 @@ std::string text_of(std::string_view name) {
 
 // The files that a shader builds upon, in order.
 std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string_view main) {
-    if (main == "gather.frag") return {"seen.glsl", "environment.glsl", "draw.glsl"};
+    if (main == "gather.frag") return {"shown.glsl", "seen.glsl", "environment.glsl", "draw.glsl"};
     if (main != "surface.frag") return {};
-    if (variant.surroundings) return {"seen.glsl", "environment.glsl"};
-    return {"seen.glsl"};
-}
+    if (variant.surroundings) return {"shown.glsl", "seen.glsl", "environment.glsl"};
+    return {"shown.glsl", "seen.glsl"};
+    // The lobe that a model of shaders/shared/closed_forms.glsl is written with, if any.
+    std::optional<int> lobe_of(const std::optional<int>& closed_form) {
+        if (closed_form == Shader::MODEL_WARD) return Shader::LOBE_GAUSSIAN;
+        if (closed_form == Shader::MODEL_GGX) return Shader::LOBE_GGX;
+        if (closed_form == Shader::MODEL_BECKMANN) return Shader::LOBE_BECKMANN;
+        return {};
+    }
+
+    std::string shown_definitions(const ShaderVariant& variant) {
+        std::string text;
+        const auto define = [&](std::string_view name, bool on) {
+            text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
+        };
+        define("CLOSED_FORM", variant.closed_form.has_value());
+        define("SHOWS_SPECULAR", variant.term == Term::specular);
+        define("SHOWS_DIFFUSE", variant.term == Term::diffuse);
+        define("SHOWS_FACTOR", is_factor(variant.term));
+        define("SHOWS_DENSITY", variant.term == Term::density);
+        define("SHOWS_MASKING_1", variant.term == Term::masking1);
+        define("SHOWS_MASKING_2", variant.term == Term::masking2);
+        define("SHOWS_FRESNEL", variant.term == Term::fresnel);
+        return text;
+    }
 
 }  // namespace
 
@@ -48,7 +70,9 @@ std::string variant_definitions(const ShaderVariant& variant) {
     auto define = [&](std::string_view name, bool on) {
         text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
     };
-    auto has = [&](int kind) { return variant.lobes.count(kind) > 0; };
+    auto has = [&](int kind) {
+        return variant.lobes.count(kind) > 0 || lobe_of(variant.closed_form) == kind;
+    };
     define("HAS_GAUSSIAN", has(Shader::LOBE_GAUSSIAN));
     define("HAS_INVERSE_GAUSSIAN", has(Shader::LOBE_INVERSE_GAUSSIAN));
     define("HAS_GGX", has(Shader::LOBE_GGX));
@@ -89,8 +113,11 @@ std::string shared_mathematics() {
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
-    std::string text = "#version 330 core\n" + variant_definitions(variant) + shared_parameters() + "\n" +
-                       text_of("uniforms.glsl") + "\n" + shared_mathematics() + "\n";
+    std::string text = "#version 330 core\n" + variant_definitions(variant) + shown_definitions(variant) +
+                       shared_parameters() + "\n" + text_of("uniforms.glsl") + "\n" + shared_mathematics() +
+                       "\n";
+    if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
+    if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";
     for (const std::string_view part : parts_of(variant, main)) text += text_of(part) + "\n";
     return text + text_of(main);
 }

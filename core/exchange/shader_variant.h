@@ -2,11 +2,13 @@
 // its scene need.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "core/bake/tables.h"
+#include "core/bake/term.h"
 
 namespace nacre {
 
@@ -16,7 +18,9 @@ struct ShaderVariant {
     ShadingKinds kinds;
     bool second_light = false;
     bool ambient = false;
-    bool surroundings = false;  // an environment stands behind the object
+    bool surroundings = false;            // an environment stands behind the object
+    Term term = Term::total;              // what of the BRDF the picture shows
+    std::optional<int> closed_form = {};  // MODEL_* in the place of the design's own BRDF
 
     bool operator==(const ShaderVariant&) const = default;
 };

@@ -86,4 +86,16 @@ void visit_fields(const Shading<double>::Surface& surface, const Visit& visit) {
     visit_surface_fields(visit, surface);
 }
 
+template <class Visit>
+void visit_fields(const Shading<double>::ClosedForm& form, const Visit& visit) {
+    visit("model", form.model);
+    visit("axis", form.axis);
+    visit("width", form.width);
+    visit("inverse_width", form.inverse_width);
+    visit("scale", form.scale);
+    visit("sigma2", form.sigma2);
+    visit("rho", form.rho);
+    visit("albedo_offset", form.albedo_offset);
+}
+
 }  // namespace nacre

@@ -48,6 +48,8 @@ const float* data = nullptr;  // tables, curves and pictures; owned by the Table
 #include "shaders/shared/tables.glsl"
 
 #include "shaders/shared/brdf.glsl"
+#include "shaders/shared/terms.glsl"
+#include "shaders/shared/closed_forms.glsl"
 
 // The integrand of R(k1) over facets, F = 1 and then each of `channels` (0, 1 or 3) Fresnel factors: with
 // dk2 = 4 (k1.h) dh a facet of mass p dh adds F (k1.h) V(k1, k2) c2 of it, V = P12/(N c1 c2). `area` gives g(k2).

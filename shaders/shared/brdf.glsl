@@ -69,18 +69,33 @@ real visibility(Direction a, Direction b) READS {
     return select(g1 <= real(0.0) || g2 <= real(0.0), real(0.0), v);
 }
 
+// Of two directions: what is between them, and k.h. Two that are opposite have none.
+struct HalfVector {
+    real3 h;
+    real cosine;
+    condition exists;
+};
+
+HalfVector half_vector(real3 k1, real3 k2) READS {
+    // Measured by its largest part first: two opposite grazing directions leave a sum whose square is no number.
+    real3 sum = k1 + k2;
+    real reach = max(max(abs(sum.x), abs(sum.y)), abs(sum.z));
+    HalfVector between;
+    between.exists = reach > real(0.0);
+    sum = select(between.exists, sum / reach, real3(0.0, 0.0, 1.0));
+    real size = length(sum);
+    between.h = sum / size;
+    between.cosine = min(real(0.5) * (size * reach), real(1.0));
+    return between;
+}
+
 // rho = p(h) F(k.h) P12 / (4 N c1 c2), 1/sr                                  (eq. 11, 26)
 real3 specular(Direction a, Direction b) READS {
-    // Measured by its largest part first: two opposite grazing directions leave a sum whose square is no number.
-    real3 sum = a.k + b.k;
-    real reach = max(max(abs(sum.x), abs(sum.y)), abs(sum.z));
-    sum = select(reach > real(0.0), sum / reach, real3(0.0, 0.0, 1.0));
-    real size = length(sum);
-    real p = density(sum / size);
+    HalfVector between = half_vector(a.k, b.k);
+    real p = density(between.h);
     if (none(p > real(0.0))) return real3(0.0);
-    real cosine = min(real(0.5) * (size * reach), real(1.0));
-    real facets = select(reach > real(0.0), real(0.25) * p * visibility(a, b), real(0.0));
-    return fresnel(cosine) * min(facets, real(LARGEST));
+    real facets = select(between.exists, real(0.25) * p * visibility(a, b), real(0.0));
+    return fresnel(between.cosine) * min(facets, real(LARGEST));
 }
 
 // The part of a diffuse term that one direction brings: 1 - R, or f0 - R for the paper's metal, never < 0.
@@ -156,17 +171,22 @@ Direction direction(real3 k) READS {
 }
 
 #if HAS_ALBEDO
-// What of a constant surrounding of radiance 1 leaves toward k: the albedo of the whole BRDF. The constant c of
-// eq. 28 makes the coupled term's albedo its share times rho_d.
-real3 total_albedo(Direction a) READS {
-    real3 sum = a.R * specular_weight();
+// What of a constant surrounding of radiance 1 the diffuse terms send toward k. The constant c of eq. 28 makes the
+// coupled term's albedo its share times rho_d.
+real3 diffuse_albedo(Direction a) READS {
+    real3 sum = real3(0.0);
 #if DIFFUSE_LAMBERTIAN
-    if (DIFFUSE_IS_LAMBERTIAN) sum += surface.albedo * surface.kd;
+    if (DIFFUSE_IS_LAMBERTIAN) sum = surface.albedo * surface.kd;
 #endif
 #if DIFFUSE_COUPLED || DIFFUSE_METAL
-    if (DIFFUSE_IS_COUPLED || DIFFUSE_IS_METAL) sum += diffuse_share(a) * surface.albedo;
+    if (DIFFUSE_IS_COUPLED || DIFFUSE_IS_METAL) sum = diffuse_share(a) * surface.albedo;
 #endif
     return sum;
+}
+
+// The same of the whole BRDF: its albedo.
+real3 total_albedo(Direction a) READS {
+    return a.R * specular_weight() + diffuse_albedo(a);
 }
 #endif
 

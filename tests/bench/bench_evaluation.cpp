@@ -105,9 +105,9 @@ void add(Report& report, const std::string& name, const Design& design, const st
 }  // namespace
 
 void add_evaluation(Report& report) {
-    const Ward ward(0.1f, 1.0f, f0);
-    const GgxSmith ggx(0.1f, 0.3f, f0);
-    const CookTorrance cook_torrance(0.2f, f0);
+    const Ward ward{closed_form(0.1f, 1.0f), f0};
+    const GgxSmith ggx{closed_form(0.1f, 0.3f), f0};
+    const CookTorrance cook_torrance{closed_form(0.2f, 0.2f), f0};
     struct Named {
         const char* name;
         Design design;

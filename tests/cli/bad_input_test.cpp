@@ -84,6 +84,9 @@ TEST_CASE("usage that is wrong is exit code 2 and one line; help and version are
           {"render", "x.nacre", "-o", "x.png", "--scene", "moon"},
           {"render", "x.nacre", "-o", "x.png", "--light", "1"},
           {"render", "x.nacre", "-o", "x.png", "--exposure", "nan"},
+          {"render", "x.nacre", "-o", "x.png", "--compare", "phong"},
+          {"render", "x.nacre", "-o", "x.png", "--view", "difference"},
+          {"render", "x.nacre", "-o", "x.png", "--term", "q"},
           {"bake", "x.nacre", "-o", "x", "--threads", "0"},
           {"export", "x.nacre"}}) {
         const Finished finished = run_cli(arguments);
@@ -102,8 +105,7 @@ TEST_CASE("what has not arrived is an error that says so") {
     const DesignOnDisk design(design_of(GaussianLobe{}));
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"import", "x.obj", "-o", "y"},
-          {"export", design.path(), "--to", "merl", "-o", "x"},
-          {"render", design.path(), "-o", "x.png", "--compare", "ggx"}})
+          {"export", design.path(), "--to", "merl", "-o", "x"}})
         check_refused(run_cli(arguments), {"not arrived"});
 }
 

@@ -44,9 +44,22 @@ std::vector<ShaderVariant> all_kinds() {
                 variant.kinds = {fresnel, visibility, diffuse, turn % 2 == 0, reads || turn % 5 == 0};
                 variant.second_light = turn % 2 == 1;
                 variant.ambient = variant.kinds.albedo && turn % 4 < 2;
+                variant.term = all_terms()[static_cast<std::size_t>(turn) % all_terms().size()].term;
                 variants.push_back(variant);
                 ++turn;
             }
+    // Each model in the place of a design's own BRDF, whole and in parts.
+    for (int model = 0; model < 4; ++model)
+        for (const Term term : {Term::total, Term::specular, Term::diffuse}) {
+            ShaderVariant variant;
+            variant.lobes = {turn++ % 8};
+            variant.kinds = {FresnelKind::schlick, VisibilityKind::uncorrelated, DiffuseKind::coupled, true,
+                             true};
+            variant.ambient = true;
+            variant.term = term;
+            variant.closed_form = model;
+            variants.push_back(variant);
+        }
     return variants;
 }
 

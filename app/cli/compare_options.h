@@ -1,0 +1,27 @@
+// A design beside another model, as the command line asks for it.
+#pragma once
+
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/preview/render.h"
+
+namespace nacre::cli {
+
+// --compare MODEL, --view, --divider, --amplify and --signed.
+struct CompareOptions {
+    std::string model;  // empty: nothing is compared; a name, or a .nacre file
+    std::string view = "divider";
+    double divider = 0.5;
+    DifferenceLook look = {};
+};
+
+void add_compare_options(Command& command, CompareOptions& options);
+
+// The picture that is asked for, of `design` from `file`. Prints how far the two are apart.
+RenderedImage render_comparison(const CompareOptions& options, const Design& design, const std::string& file,
+                                const Scene& scene, glm::ivec2 size, bool linear, int samples,
+                                const Interrupt& interrupt);
+
+}  // namespace nacre::cli

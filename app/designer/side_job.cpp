@@ -1,0 +1,44 @@
+#include "app/designer/side_job.h"
+
+#include "app/designer/bake_job.h"
+#include "core/design/design_check.h"
+
+namespace nacre {
+namespace {
+
+using Job = LatestJob<SideRequest, ComparedSurface>;
+
+void bake_side(Baker& baker, const SideRequest& request, const std::stop_token& stop,
+               const Job::Publish& publish, int threads) {
+    give_way();
+    check_design(request.design, "design");
+    for (const Quality quality : {Quality::draft, Quality::final}) {
+        if (quality == Quality::final && !request.settled) return;
+        const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
+        publish(bake_compared(baker, request.design, request.opponent, options, stop));
+        if (stop.stop_requested()) return;
+    }
+}
+
+}  // namespace
+
+SideJob::SideJob(int threads, std::function<void()> notify)
+    : job_([this, threads](
+               const SideRequest& request, const std::stop_token& stop,
+               const Job::Publish& publish) { bake_side(baker_, request, stop, publish, threads); },
+           std::move(notify)) {}
+
+void SideJob::want(const SideRequest& request) {
+    if (wanted_ == request) return;
+    wanted_ = request;
+    asked_ = job_.submit(request);
+}
+
+std::optional<ComparedSurface> SideJob::poll() {
+    auto published = job_.poll();
+    if (!published || published->revision < first_) return {};
+    problem_ = published->error ? plain_words(published->error) : std::string();
+    return std::move(published->result);
+}
+
+}  // namespace nacre

@@ -1,0 +1,40 @@
+// The terms that a BRDF is made of, each by itself.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nacre {
+
+// Of a pair of directions, as shaders/shared/brdf.glsl and terms.glsl compute them.
+enum class Term {
+    total,          // the BRDF, 1/sr
+    specular,       // its specular term with its weight, 1/sr
+    diffuse,        // everything else, 1/sr
+    density,        // p(h), 1/sr
+    masking1,       // P(k1)
+    masking2,       // P(k2)
+    fresnel,        // F(k.h), a colour
+    inverse_areas,  // 1/(g(k1) g(k2)), p normalised to 1
+};
+
+struct TermInfo {
+    Term term;
+    const char* name;     // on the command line
+    const char* label;    // on a button
+    const char* meaning;  // for the look, with its equation
+};
+
+std::span<const TermInfo> all_terms();
+const TermInfo& info(Term term);
+
+std::optional<Term> term_by_name(std::string_view name);
+std::vector<std::string> term_names();
+
+// Whether it is a number of each pair of directions; the others are light, which adds up over the lights.
+bool is_factor(Term term);
+
+}  // namespace nacre

@@ -1,0 +1,23 @@
+// How far the facets of p lean, as widths that every p has: those of GGX and of a velvet too, whose slopes
+// have no second moment.
+#pragma once
+
+#include "core/model/facet_distribution.h"
+
+namespace nacre {
+
+// In the tangent plane, along the principal axes of <h h'> (which are p's mirror axes where it mirrors): half
+// of the facets, by the area they show to n, have a slope |h.axis|/(h.n) of at most `median`.
+struct FacetSlopes {
+    double azimuth = 0;  // radians from the tangent to the first axis, along which facets lean least
+    dvec2 median{0};
+};
+
+// Of the facets above the horizon; p needs some, as every design that bakes has.
+FacetSlopes facet_slopes(const FacetDistribution& p);
+
+// Facets spread evenly over each lobe's own width, about `count` a lobe, with their shares of area: a lattice
+// for sums over p. Lobes without a smooth form give their own facets.
+std::vector<Facet> facet_lattice(const FacetDistribution& p, std::size_t count);
+
+}  // namespace nacre

@@ -1,0 +1,74 @@
+// What of a surface the picture shows: its BRDF, one term of it, or a model of the same width in its place. A scene lights
+// shown_brdf() and shown_albedo(); where SHOWS_FACTOR is on it shows factor() of the main light by itself.
+
+#if CLOSED_FORM
+uniform ClosedForm closed_form;
+#endif
+
+vec3 shown_specular(Direction a, Direction b) {
+#if CLOSED_FORM
+    return closed_form_specular(closed_form, a.k, b.k);
+#else
+    return specular(a, b) * specular_weight();
+#endif
+}
+
+vec3 shown_diffuse(Direction a, Direction b) {
+#if CLOSED_FORM
+    return closed_form_diffuse(closed_form, a, b);
+#else
+    return diffuse(a, b);
+#endif
+}
+
+// 1/sr
+vec3 shown_brdf(Direction a, Direction b) {
+#if SHOWS_SPECULAR
+    return shown_specular(a, b);
+#elif SHOWS_DIFFUSE
+    return shown_diffuse(a, b);
+#elif CLOSED_FORM
+    return shown_specular(a, b) + shown_diffuse(a, b);
+#else
+    return brdf_of(a, b);
+#endif
+}
+
+#if HAS_ALBEDO
+// Of a constant surrounding of radiance 1, what leaves toward k.
+vec3 shown_albedo(Direction a) {
+#if CLOSED_FORM
+    bool alone = closed_form.model == MODEL_OREN_NAYAR;
+    vec3 model = closed_form_albedo(closed_form, a.k);
+    vec3 first = alone ? vec3(0.0) : model;
+    vec3 rest = alone ? model : diffuse_albedo(a);
+#else
+    vec3 first = a.R * specular_weight();
+    vec3 rest = diffuse_albedo(a);
+#endif
+#if SHOWS_SPECULAR
+    return first;
+#elif SHOWS_DIFFUSE
+    return rest;
+#else
+    return first + rest;
+#endif
+}
+#endif
+
+#if SHOWS_FACTOR
+// Of k1 = a and k2 = b; see terms.glsl.
+vec3 factor(Direction a, Direction b) {
+#if SHOWS_DENSITY
+    return vec3(mirroring_density(a, b));
+#elif SHOWS_MASKING_1
+    return vec3(masking(a));
+#elif SHOWS_MASKING_2
+    return vec3(masking(b));
+#elif SHOWS_FRESNEL
+    return mirroring_fresnel(a, b);
+#else
+    return vec3(inverse_areas(a, b));
+#endif
+}
+#endif

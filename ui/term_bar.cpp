@@ -1,0 +1,62 @@
+#include "ui/term_bar.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/item_map.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+float breadth_of(const TermInfo& term) {
+    return ImGui::CalcTextSize(term.label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+void choice(const TermInfo& candidate, Term& term, bool possible) {
+    const bool chosen = candidate.term == term;
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
+    ImGui::BeginDisabled(!possible);
+    if (ImGui::Button(candidate.label)) term = candidate.term;
+    ImGui::EndDisabled();
+    if (chosen) ImGui::PopStyleColor();
+    note_item(std::string("Show ") + candidate.name);
+    tooltip_for_item(possible ? candidate.meaning
+                              : "The model at one of the sides is not made of these factors: it shows as a "
+                                "whole, its specular part or its diffuse part.");
+}
+
+// Where the row is too narrow for buttons.
+void list(Term& term, bool factors) {
+    ImGui::SetNextItemWidth(-ImGui::GetStyle().ItemSpacing.x);
+    const bool open = ImGui::BeginCombo("##term", info(term).label);
+    note_item("Shown term");
+    tooltip_for_item(info(term).meaning);
+    if (!open) return;
+    for (const TermInfo& candidate : all_terms()) {
+        ImGui::BeginDisabled(!factors && is_factor(candidate.term));
+        if (ImGui::Selectable(candidate.label, candidate.term == term)) term = candidate.term;
+        ImGui::EndDisabled();
+        note_item(std::string("Show ") + candidate.name);
+        tooltip_for_item(candidate.meaning);
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+void term_bar(Term& term, bool factors) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    float needed = 2 * gap;
+    for (const TermInfo& candidate : all_terms()) needed += breadth_of(candidate) + gap;
+    ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});
+    if (needed > ImGui::GetContentRegionAvail().x) return list(term, factors);
+    for (const TermInfo& candidate : all_terms()) {
+        if (&candidate != all_terms().data()) ImGui::SameLine(0, gap);
+        choice(candidate, term, factors || !is_factor(candidate.term));
+    }
+}
+
+}  // namespace nacre::ui

@@ -1,0 +1,11 @@
+// The row above the preview: what of the BRDF it shows.
+#pragma once
+
+#include "core/bake/term.h"
+
+namespace nacre::ui {
+
+// `factors` false: a model without them is shown, and only light can be chosen.
+void term_bar(Term& term, bool factors);
+
+}  // namespace nacre::ui
