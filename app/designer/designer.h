@@ -13,6 +13,7 @@
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
 #include "app/designer/picture_drop.h"
+#include "app/designer/plots_pane.h"
 #include "app/designer/preview_pane.h"
 #include "app/preview/scene.h"
 #include "ui/commands.h"
@@ -31,6 +32,7 @@ struct Designer {
     CanvasPane canvas;
     FileFlow files;
     PictureDrop pictures;
+    PlotsPane plots;
     Layout layout;
     ui::LayersView layers;
     std::vector<Preset> presets;

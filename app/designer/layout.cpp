@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/item_map.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
 
@@ -14,6 +15,8 @@ namespace {
 constexpr float panel_most = 0.4f;                        // of the window's breadth
 constexpr float canvas_least = 0.2f, canvas_most = 0.8f;  // of the breadth beside the panel
 constexpr float canvas_usual = 0.5f;
+constexpr float drawer_usual = 17.5f, drawer_least = 14;  // height, in sizes of the text
+constexpr float drawer_most = 0.6f;                       // of the height above the status line
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -52,6 +55,46 @@ float picture_column(const char* name, float left, float top, float height, cons
     return now;
 }
 
+// The border above the drawer. Returns by how much it was dragged up.
+float drawer_border(float left, float top, float breadth) {
+    const float reach = std::round(ImGui::GetFontSize() * 0.35f);
+    ImGui::SetCursorScreenPos({left, top});
+    ImGui::InvisibleButton("drawer border", {breadth, reach});
+    ui::note_item("Plots border");
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    const ImVec4 colour = held || ImGui::IsItemHovered() ? ui::palette::accent : ui::palette::line;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({left, top}, {left + breadth, top + reach});
+    list.AddLine({left, top + 1}, {left + breadth, top + 1}, ImGui::GetColorU32(colour),
+                 std::max(1.0f, reach * 0.25f));
+    list.PopClipRect();
+    return held ? -ImGui::GetIO().MouseDelta.y : 0;
+}
+
+// Below canvas and preview, where `height` is what they and it share. Returns its height, 0 when it is
+// closed.
+float drawer(Layout& layout, const Parts& parts, float left, float top, float height, float breadth) {
+    if (!parts.drawer) return 0;
+    const float size = ImGui::GetFontSize(), most = std::round(height * drawer_most);
+    const float now = std::clamp(std::round(layout.drawer * size), std::min(drawer_least * size, most), most);
+    const float begin = top + height - now;
+    ImGui::SetNextWindowPos({left, begin});
+    ImGui::SetNextWindowSize({breadth, now});
+    // In front of the columns, whose own borders would else take the pointer a few pixels below them.
+    constexpr ImGuiWindowFlags flags = (fixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) |
+                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
+                                       ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::Begin("Drawer", nullptr, flags);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float up = drawer_border(left, begin, breadth);
+    if (up != 0) layout.drawer = (now + up) / size;
+    ImGui::SetCursorScreenPos(corner);
+    parts.drawer();
+    ImGui::End();
+    return now;
+}
+
 }  // namespace
 
 void draw_layout(Layout& layout, const Parts& parts) {
@@ -62,16 +105,18 @@ void draw_layout(Layout& layout, const Parts& parts) {
     if (layout.panel <= 0) {
         layout.panel = ui::panel_width();
         layout.canvas = canvas_usual;
+        layout.drawer = drawer_usual;
     }
     const float most = std::max(window.x * panel_most, 1.0f);
     const Breadth panel{layout.panel, std::min(ui::panel_width() * 0.8f, most), most};
     layout.panel = column("Panel", 0, top, height, panel, parts.panel);
     const float beside = std::max(window.x - layout.panel, 2.0f);
+    const float upper = height - drawer(layout, parts, layout.panel, top, height, beside);
     const Breadth canvas{std::round(beside * layout.canvas), beside * canvas_least, beside * canvas_most};
-    const float breadth = picture_column("CanvasColumn", layout.panel, top, height, canvas, parts.canvas);
+    const float breadth = picture_column("CanvasColumn", layout.panel, top, upper, canvas, parts.canvas);
     if (std::abs(breadth - canvas.now) > 0.5f) layout.canvas = breadth / beside;
     const float left = layout.panel + breadth, rest = std::max(window.x - left, 1.0f);
-    picture_column("PreviewColumn", left, top, height, {rest, rest, rest}, parts.preview);
+    picture_column("PreviewColumn", left, top, upper, {rest, rest, rest}, parts.preview);
 
     ImGui::SetNextWindowPos(ImVec2(0, window.y - bottom));
     ImGui::SetNextWindowSize(ImVec2(window.x, bottom));

@@ -1,5 +1,6 @@
 // Where the parts of the window stand: a panel at the left, the canvas beside it, the preview at the right,
-// menu above, status below. The borders between them can be dragged.
+// menu above, status below, and a drawer below canvas and preview that can be open. The borders between them
+// can be dragged.
 #pragma once
 
 #include <functional>
@@ -9,6 +10,7 @@ namespace nacre {
 struct Layout {
     float panel = 0;   // breadth, pixels; 0 until the first frame
     float canvas = 0;  // part of the breadth beside the panel
+    float drawer = 0;  // height, in sizes of the text
 };
 
 struct Parts {
@@ -16,6 +18,7 @@ struct Parts {
     std::function<void()> canvas;
     std::function<void()> preview;
     std::function<void()> status;
+    std::function<void()> drawer = {};  // empty: closed
 };
 
 // Draws each part in a Dear ImGui window of its own.
