@@ -106,20 +106,19 @@ void notice_rest(Designer& designer, const Distribution& shown) {
     designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
 }
 
-// Asks for tables of what is shown now. True when a draft is to come.
-bool ask(Designer& designer) {
+// Asks for tables of what is shown now.
+void ask(Designer& designer) {
     Design shown = designer.document.design;
     shown.distribution = ui::shown(designer.layers, shown.distribution);
     notice_rest(designer, shown.distribution);
-    return designer.baker.want({.design = std::move(shown),
-                                .albedo = designer.scene.ambient || designer.plots.wants_albedo(),
-                                .settled = designer.settled});
+    designer.baker.want({.design = std::move(shown),
+                         .albedo = designer.scene.ambient || designer.plots.wants_albedo(),
+                         .settled = designer.settled});
 }
 
 // A draft that comes within a moment is seen in the very frame of the edit that it answers.
 void follow_bake(Designer& designer) {
-    const bool draft = ask(designer);
-    if (auto tables = designer.baker.poll(draft ? patience : std::chrono::milliseconds(0))) {
+    if (auto tables = designer.baker.poll(patience)) {
         designer.tables_text = tables_text(*tables);
         designer.plots.show(tables);
         designer.preview.show(std::move(tables));
@@ -140,17 +139,20 @@ void draw_frame(Designer& designer) {
     if (const auto command = ui::menu_bar(menu)) perform(designer, *command);
 
     designer.canvas.state.marked = designer.preview.pointed_at();
+    // The bake of what was painted runs while the canvas is drawn.
+    const auto edited = [&] { ask(designer); };
     std::function<void()> drawer;
     if (designer.plots.state.open) drawer = [&] { designer.plots.draw(plot_name(document)); };
-    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
-                                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
-                                  .preview =
-                                      [&] {
-                                          follow_bake(designer);
-                                          draw_preview(designer);
-                                      },
-                                  .status = [&] { draw_status(designer); },
-                                  .drawer = drawer});
+    draw_layout(designer.layout,
+                {.panel = [&] { draw_panel(designer); },
+                 .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
+                 .preview =
+                     [&] {
+                         follow_bake(designer);
+                         draw_preview(designer);
+                     },
+                 .status = [&] { draw_status(designer); },
+                 .drawer = drawer});
     designer.files.draw(document);
     if (!designer.files.talking())
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);

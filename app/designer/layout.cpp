@@ -44,7 +44,8 @@ float column(const char* name, float left, float top, float height, const Breadt
 float picture_column(const char* name, float left, float top, float height, const Breadth& breadth,
                      const std::function<void()>& contents) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette::canvas);
+    // The session has cleared the window to the canvas's colour: filling it once more takes time in vain.
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::Colour{0, 0, 0, 0});
     const float now = column(name, left, top, height, breadth, [&] {
         ImGui::PopStyleVar();
         contents();
@@ -72,13 +73,14 @@ float drawer_border(float left, float top, float breadth) {
     return held ? -ImGui::GetIO().MouseDelta.y : 0;
 }
 
-// Below canvas and preview, where `height` is what they and it share. Returns its height, 0 when it is
-// closed.
-float drawer(Layout& layout, const Parts& parts, float left, float top, float height, float breadth) {
+// Of `height`, which canvas and preview share with the drawer; 0 while it is closed.
+float drawer_height(const Layout& layout, const Parts& parts, float height) {
     if (!parts.drawer) return 0;
     const float size = ImGui::GetFontSize(), most = std::round(height * drawer_most);
-    const float now = std::clamp(std::round(layout.drawer * size), std::min(drawer_least * size, most), most);
-    const float begin = top + height - now;
+    return std::clamp(std::round(layout.drawer * size), std::min(drawer_least * size, most), most);
+}
+
+void drawer(Layout& layout, const Parts& parts, float left, float begin, float breadth, float now) {
     ImGui::SetNextWindowPos({left, begin});
     ImGui::SetNextWindowSize({breadth, now});
     // In front of the columns, whose own borders would else take the pointer a few pixels below them.
@@ -88,11 +90,10 @@ float drawer(Layout& layout, const Parts& parts, float left, float top, float he
     ImGui::Begin("Drawer", nullptr, flags);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float up = drawer_border(left, begin, breadth);
-    if (up != 0) layout.drawer = (now + up) / size;
+    if (up != 0) layout.drawer = (now + up) / ImGui::GetFontSize();
     ImGui::SetCursorScreenPos(corner);
     parts.drawer();
     ImGui::End();
-    return now;
 }
 
 }  // namespace
@@ -111,12 +112,14 @@ void draw_layout(Layout& layout, const Parts& parts) {
     const Breadth panel{layout.panel, std::min(ui::panel_width() * 0.8f, most), most};
     layout.panel = column("Panel", 0, top, height, panel, parts.panel);
     const float beside = std::max(window.x - layout.panel, 2.0f);
-    const float upper = height - drawer(layout, parts, layout.panel, top, height, beside);
+    const float below = drawer_height(layout, parts, height), upper = height - below;
     const Breadth canvas{std::round(beside * layout.canvas), beside * canvas_least, beside * canvas_most};
     const float breadth = picture_column("CanvasColumn", layout.panel, top, upper, canvas, parts.canvas);
     if (std::abs(breadth - canvas.now) > 0.5f) layout.canvas = breadth / beside;
     const float left = layout.panel + breadth, rest = std::max(window.x - left, 1.0f);
     picture_column("PreviewColumn", left, top, upper, {rest, rest, rest}, parts.preview);
+    // After the preview, which takes in the newest tables.
+    if (parts.drawer) drawer(layout, parts, layout.panel, top + upper, beside, below);
 
     ImGui::SetNextWindowPos(ImVec2(0, window.y - bottom));
     ImGui::SetNextWindowSize(ImVec2(window.x, bottom));
