@@ -86,10 +86,10 @@ void PlotPenOnScreen::mesh(std::span<const glm::dvec2> corners, std::span<const 
     }
 }
 
-void PlotPenOnScreen::picture(const PlotBox& box, const PlotPixels& pixels) {
+void PlotPenOnScreen::picture(const PlotBox& box, const SlicePlot& slice) {
     if (picture_ == nullptr) return;
-    const ImVec2 half(0.5f / static_cast<float>(pixels.size.x), 0.5f / static_cast<float>(pixels.size.y));
-    list_.AddImage(picture_, screen(box.low), screen(box.high), half, {1 - half.x, 1 - half.y});
+    const float half = 0.5f / static_cast<float>(slice.side);
+    list_.AddImage(picture_, screen(box.low), screen(box.high), {half, half}, {1 - half, 1 - half});
 }
 
 }  // namespace nacre::ui

@@ -19,7 +19,7 @@ class PlotPenOnScreen final : public PlotPen {
     void disc(glm::dvec2 middle, double radius, Ink ink) override;
     void mesh(std::span<const glm::dvec2> corners, std::span<const glm::u8vec3> colours,
               std::span<const Cell> cells) override;
-    void picture(const PlotBox& box, const PlotPixels& pixels) override;
+    void picture(const PlotBox& box, const SlicePlot& slice) override;
 
   private:
     ImDrawList& list_;

@@ -90,7 +90,8 @@ class SvgPen final : public PlotPen {
     }
 
     // Neighbours of one colour in a row become one rectangle.
-    void picture(const PlotBox& box, const PlotPixels& pixels) override {
+    void picture(const PlotBox& box, const SlicePlot& slice) override {
+        const PlotPixels pixels = slice_pixels(slice);
         const glm::dvec2 step = box.size() / glm::dvec2(pixels.size - 1);
         const auto edge = [&](int i, int axis) {
             return std::clamp(box.low[axis] + (i - 0.5) * step[axis], box.low[axis], box.high[axis]);

@@ -131,7 +131,7 @@ void draw_slice(PlotPen& pen, const SlicePlot& plot, const PlotLayout& layout,
                 const std::optional<PlotReading>& reading) {
     const PlotBox& area = layout.area;
     draw_axes(pen, area, plot.x, plot.y);
-    pen.picture(area, slice_pixels(plot));
+    pen.picture(area, plot);
     if (reading) {
         const double x = std::lerp(area.low.x, area.high.x, plot.x.place(reading->at.x));
         const double y = std::lerp(area.high.y, area.low.y, plot.y.place(reading->at.y));

@@ -44,8 +44,8 @@ class PlotPen {
     virtual void mesh(std::span<const glm::dvec2> corners, std::span<const glm::u8vec3> colours,
                       std::span<const Cell> cells) = 0;
 
-    // The middles of the outermost pixels stand on the box's border.
-    virtual void picture(const PlotBox& box, const PlotPixels& pixels) = 0;
+    // slice_pixels(), the middles of the outermost ones on the box's border.
+    virtual void picture(const PlotBox& box, const SlicePlot& slice) = 0;
 };
 
 }  // namespace nacre

@@ -323,7 +323,7 @@ TEST_CASE("what stands under the pointer is what the plot holds there") {
         void disc(glm::dvec2, double, Ink) override {}
         void mesh(std::span<const glm::dvec2>, std::span<const glm::u8vec3>, std::span<const Cell>) override {
         }
-        void picture(const PlotBox&, const PlotPixels&) override {}
+        void picture(const PlotBox&, const SlicePlot&) override {}
         int texts = 0;
     } pen;
     const auto tables = baked(coloured(two_sided()));
