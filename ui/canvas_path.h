@@ -3,14 +3,10 @@
 
 #include <imgui.h>
 
+#include "core/model/polar_angles.h"
 #include "ui/hemisphere_canvas.h"
 
 namespace nacre::ui {
-
-// Angles from n and from +x toward +y, degrees.
-dvec3 polar_direction(double theta, double phi);
-double polar_angle(dvec3 h);  // [0, 180]
-double azimuth(dvec3 h);      // (-180, 180]
 
 // Through normals at(0) ... at(1); parts that the dome hides are left out.
 template <class At>

@@ -30,6 +30,8 @@ struct FileDialog {
     std::string path;     // as typed: absolute, or relative to the listing
     std::string problem;  // shown below the field
     bool take_focus = true;
+    std::string title = {};  // empty: those of a design
+    std::string hint = {};
 };
 
 enum class DialogAnswer { none, accepted, cancelled };

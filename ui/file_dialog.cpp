@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* title_of(const FileDialog& dialog) {
+    if (!dialog.title.empty()) return dialog.title.c_str();
     return dialog.purpose == FileDialog::Purpose::open ? "Open design" : "Save design as";
 }
 
@@ -78,8 +79,9 @@ bool path_field(FileDialog& dialog) {
     if (dialog.take_focus) ImGui::SetKeyboardFocusHere();
     dialog.take_focus = false;
     ImGui::SetNextItemWidth(-FLT_MIN);
+    const char* hint = dialog.hint.empty() ? "name or path of a .nacre file" : dialog.hint.c_str();
     const bool entered =
-        ImGui::InputTextWithHint("##path", "name or path of a .nacre file", &dialog.path,
+        ImGui::InputTextWithHint("##path", hint, &dialog.path,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     note_item("Path");
     ImGui::PushStyleColor(ImGuiCol_Text, palette::red);

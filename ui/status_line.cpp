@@ -18,9 +18,9 @@ void dot(const Colour& colour) {
     ImGui::SameLine();
 }
 
-void right_aligned(const std::string& text) {
-    const float left =
-        ImGui::GetWindowWidth() - ImGui::CalcTextSize(text.c_str()).x - ImGui::GetStyle().WindowPadding.x;
+void right_aligned(const std::string& text, float kept_free) {
+    const float left = ImGui::GetWindowWidth() - kept_free - ImGui::CalcTextSize(text.c_str()).x -
+                       ImGui::GetStyle().WindowPadding.x;
     ImGui::SameLine(left);
     ImGui::TextUnformatted(text.c_str());
 }
@@ -47,7 +47,7 @@ void status_line(const Status& status) {
         "between the nodes: of the projected area g, in parts of itself, and of the albedo R, in parts of "
         "the "
         "light that falls in.");
-    right_aligned(status.message);
+    right_aligned(status.message, status.kept_free);
     ImGui::PopStyleColor();
 }
 

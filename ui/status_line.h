@@ -10,6 +10,7 @@ struct Status {
     std::string message;  // the last thing that happened, for instance "Saved satin.nacre"
     std::string problem;  // in plain words; stands before everything else
     bool working = false;
+    float kept_free = 0;  // breadth at the right end, pixels
 };
 
 float status_height();

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <cmath>
 #include <iterator>
 
 #include "app/cli/bake_options.h"
@@ -45,18 +44,13 @@ Design with_schlick(Design design) {
     return design;
 }
 
-double visibility(const Shading<double>& shading, dvec3 k, double g) {
-    const double p = g > 0 ? shading.surface.N * k.z / g : 0;
-    return shading.kinds.clamp ? std::fmin(p, 1.0) : p;
-}
-
 Row read_tables(const Tables& tables, dvec3 k) {
     const Shading<double>& shading = tables.shading;
     if (k.z < 0) return {.g = tables.distribution->area(k).g};
     const auto spot = shading.table_spot(k);
     Row row;
     row.g = shading.projected_area(k, spot);
-    row.P = visibility(shading, k, row.g);
+    if (row.g > 0) row.P = shading.masking({k, row.g, dvec3{0}});
     const auto albedo = shading.albedo_spot(k, spot);
     const double full = shading.full_albedo(albedo), kept = shading.clamped_part(k, row.g);
     row.R1 = full * kept;

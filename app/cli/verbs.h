@@ -26,6 +26,7 @@ void declare_eval(Command& command, Action& action);
 void declare_tables(Command& command, Action& action);
 void declare_bake(Command& command, Action& action);
 void declare_render(Command& command, Action& action);
+void declare_plot(Command& command, Action& action);
 void declare_screenshot(Command& command, Action& action);
 void declare_check(Command& command, Action& action);
 void declare_report(Command& command, Action& action);

@@ -121,11 +121,19 @@ void draw_preview(Designer& designer) {
                           });
 }
 
-void draw_status(const Designer& designer) {
+void draw_status(Designer& designer) {
     ui::status_line({.tables = designer.tables_text,
                      .message = designer.files.message(),
                      .problem = designer.baker.problem(),
-                     .working = designer.baker.busy()});
+                     .working = designer.baker.busy(),
+                     .kept_free = ui::plots_switch_width() + 2 * ImGui::GetFontSize()});
+    ui::plots_switch(designer.plots.state);
+}
+
+// A saved plot is named after the design's file.
+std::string plot_name(const Document& document) {
+    const std::filesystem::path& named = document.file.empty() ? document.preset : document.file;
+    return named.empty() ? "untitled" : named.stem().string();
 }
 
 // While p is dragged or painted a draft follows; what it rests on is baked to the end.
@@ -142,8 +150,9 @@ void notice_rest(Designer& designer, const Distribution& shown) {
 void ask(Designer& designer) {
     Design shown = shown_design(designer);
     notice_rest(designer, shown.distribution);
-    designer.baker.want(
-        {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
+    designer.baker.want({.design = std::move(shown),
+                         .albedo = designer.scene.ambient || designer.plots.wants_albedo(),
+                         .settled = designer.settled});
 }
 
 // A draft that comes within a moment is seen in the very frame of the edit that it answers.
@@ -152,6 +161,7 @@ void follow_bake(Designer& designer) {
     if (auto tables = designer.baker.poll(longest)) {
         designer.tables_text = tables_text(*tables);
         designer.tables = tables;
+        designer.plots.show(tables);
         designer.preview.show(std::move(tables));
     }
 }
@@ -165,7 +175,8 @@ void draw_frame(Designer& designer) {
     Document& document = designer.document;
     // The first tables are baked while the rest of the first frame is drawn.
     if (!designer.preview.has_picture()) ask(designer);
-    if (!designer.files.talking() && !designer.pictures.talking() && !designer.environment.talking())
+    if (!designer.files.talking() && !designer.pictures.talking() && !designer.environment.talking() &&
+        !designer.plots.saving.talking())
         if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
     const ui::MenuState menu{.can_undo = document.history.can_undo(),
                              .can_redo = document.history.can_redo(),
@@ -175,6 +186,8 @@ void draw_frame(Designer& designer) {
     designer.canvas.state.marked = designer.preview.pointed_at();
     // The bake of what was painted runs while the canvas is drawn.
     const auto edited = [&] { ask(designer); };
+    std::function<void()> drawer;
+    if (designer.plots.state.open) drawer = [&] { designer.plots.draw(plot_name(document)); };
     draw_layout(designer.layout,
                 {.panel = [&] { draw_panel(designer); },
                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
@@ -183,13 +196,17 @@ void draw_frame(Designer& designer) {
                          follow_bake(designer);
                          draw_preview(designer);
                      },
-                 .status = [&] { draw_status(designer); }});
+                 .status = [&] { draw_status(designer); },
+                 .drawer = drawer});
     designer.files.draw(document);
     if (!designer.files.talking())
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
     if (auto surroundings = designer.pictures.take_surroundings())
         designer.environment.want(surroundings->string());
     designer.environment.draw(designer.scene.environment);
+
+    if (!designer.files.talking())
+        if (auto done = designer.plots.saving.draw()) designer.files.tell(std::move(*done));
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();

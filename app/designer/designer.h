@@ -16,6 +16,7 @@
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
 #include "app/designer/picture_drop.h"
+#include "app/designer/plots_pane.h"
 #include "app/designer/preview_pane.h"
 #include "app/preview/scene.h"
 #include "ui/commands.h"
@@ -37,6 +38,7 @@ struct Designer {
     FileFlow files;
     PictureDrop pictures;
     EnvironmentPanel environment;
+    PlotsPane plots;
     Layout layout;
     ui::LayersView layers;
     std::vector<Preset> presets;

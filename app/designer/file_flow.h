@@ -28,6 +28,7 @@ class FileFlow {
     bool may_quit() const { return may_quit_; }
     bool talking() const { return asking_unsaved_ || dialog_ || overwrite_ || !problem_.empty(); }
     const std::string& message() const { return message_; }  // the last thing done
+    void tell(std::string message) { message_ = std::move(message); }
 
   private:
     enum class Next { nothing, begin_new, show_open, open, open_preset, quit };

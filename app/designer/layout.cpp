@@ -17,7 +17,9 @@ namespace {
 constexpr float panel_least = 20, panel_most = 40;         // text sizes, ...
 constexpr float panel_most_part = 0.4f;                    // ... and of the window's breadth
 constexpr float canvas_least = 0.25f, canvas_most = 0.8f;  // of the breadth beside the panel
-constexpr float grip_ems = 0.55f;  // breadth of what takes hold of a border, text sizes
+constexpr float grip_ems = 0.55f;    // breadth of what takes hold of a border, text sizes
+constexpr float drawer_least = 14;   // height, text sizes
+constexpr float drawer_most = 0.6f;  // of the height above the status line
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoSavedSettings;
@@ -79,6 +81,45 @@ std::optional<float> draw_border(const char* name, const Column& column, float u
     return moved;
 }
 
+// The border above the drawer. Returns by how much it was dragged up.
+float drawer_border(float left, float top, float breadth) {
+    const float reach = std::round(ImGui::GetFontSize() * 0.35f);
+    ImGui::SetCursorScreenPos({left, top});
+    ImGui::InvisibleButton("drawer border", {breadth, reach});
+    ui::note_item("Plots border");
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    const ImVec4 colour = held || ImGui::IsItemHovered() ? ui::palette::accent : ui::palette::line;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({left, top}, {left + breadth, top + reach});
+    list.AddLine({left, top + 1}, {left + breadth, top + 1}, ImGui::GetColorU32(colour),
+                 std::max(1.0f, reach * 0.25f));
+    list.PopClipRect();
+    return held ? -ImGui::GetIO().MouseDelta.y : 0;
+}
+
+// Of `height`, which canvas and preview share with the drawer; 0 while it is closed.
+float drawer_height(const Layout& layout, const Parts& parts, float height) {
+    if (!parts.drawer) return 0;
+    const float size = ImGui::GetFontSize(), most = std::round(height * drawer_most);
+    return std::clamp(std::round(layout.drawer * size), std::min(drawer_least * size, most), most);
+}
+
+void draw_drawer(Layout& layout, const Parts& parts, const Column& column) {
+    ImGui::SetNextWindowPos({column.left, column.top});
+    ImGui::SetNextWindowSize({column.breadth, column.height});
+    // In front of the columns, whose own borders would else take the pointer a few pixels below them.
+    constexpr ImGuiWindowFlags flags =
+        fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::Begin("Drawer", nullptr, flags);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float up = drawer_border(column.left, column.top, column.breadth);
+    if (up != 0) layout.drawer = (column.height + up) / ImGui::GetFontSize();
+    ImGui::SetCursorScreenPos(corner);
+    parts.drawer();
+    ImGui::End();
+}
+
 void draw_columns(Layout& layout, const Parts& parts, ImVec2 window, float top, float height) {
     const Layout usual;
     const float em = ImGui::GetFontSize();
@@ -86,11 +127,14 @@ void draw_columns(Layout& layout, const Parts& parts, ImVec2 window, float top, 
     const auto panel_breadth = [&](float ems) { return std::min(std::round(ems * em), widest); };
     const float panel = panel_breadth(layout.panel), beside = std::max(window.x - panel, 2.0f);
     const float breadth = std::round(beside * std::clamp(layout.canvas, canvas_least, canvas_most));
-    const Column canvas{panel, top, breadth, height};
-    const Column preview{panel + breadth, top, std::max(beside - breadth, 1.0f), height};
+    const float below = drawer_height(layout, parts, height), upper = height - below;
+    const Column canvas{panel, top, breadth, upper};
+    const Column preview{panel + breadth, top, std::max(beside - breadth, 1.0f), upper};
     draw_column("Panel", {0, top, panel, height}, parts.panel);
     draw_picture_column("CanvasColumn", canvas, parts.canvas);
     draw_picture_column("PreviewColumn", preview, parts.preview);
+    // After the preview, which takes in the newest tables.
+    if (parts.drawer) draw_drawer(layout, parts, {panel, top + upper, beside, below});
     if (const auto x = draw_border("Panel border", canvas, panel_breadth(usual.panel)))
         layout.panel = std::clamp(*x / em, panel_least, panel_most);
     if (const auto x = draw_border("Canvas border", preview, panel + beside * usual.canvas))

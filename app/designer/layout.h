@@ -1,5 +1,6 @@
 // Where the parts of the window stand: a panel at the left, the canvas beside it, the preview at the right,
-// menu above, status below. The borders between them can be dragged.
+// menu above, status below, and a drawer below canvas and preview that can be open. The borders between them
+// can be dragged.
 #pragma once
 
 #include <functional>
@@ -8,8 +9,9 @@ namespace nacre {
 
 // Where the borders stand, for windows and scales of any size: all that is worth keeping between runs.
 struct Layout {
-    float panel = 21.5f;  // breadth in text sizes
-    float canvas = 0.5f;  // part of the breadth beside the panel
+    float panel = 21.5f;   // breadth in text sizes
+    float canvas = 0.5f;   // part of the breadth beside the panel
+    float drawer = 17.5f;  // height in text sizes
     bool operator==(const Layout&) const = default;
 };
 
@@ -18,6 +20,7 @@ struct Parts {
     std::function<void()> canvas;
     std::function<void()> preview;
     std::function<void()> status;
+    std::function<void()> drawer = {};  // empty: closed
 };
 
 // Draws each part in a Dear ImGui window of its own. Only a dragged border changes `layout`: a window too

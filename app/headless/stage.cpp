@@ -6,7 +6,7 @@
 
 #include "app/gl/gl.h"
 #include "core/design/error.h"
-#include "ui/canvas_path.h"
+#include "core/model/polar_angles.h"
 
 namespace nacre {
 
@@ -70,7 +70,7 @@ glm::vec2 Stage::pixel_of(const Place& place, const std::string& file, int line)
             throw UserError(file, "line " + std::to_string(line), "only the canvas shows normals",
                             place.widget);
         const HemisphereView view(designer_->canvas.state.camera, {box->z - box->x, box->w - box->y});
-        const glm::vec2 at(view.pixel(ui::polar_direction(place.at.x, place.at.y)));
+        const glm::vec2 at(view.pixel(polar_direction(place.at.x, place.at.y)));
         return {box->x + at.x, box->y + at.y};
     }
     return {box->x + place.at.x * (box->z - box->x), box->y + place.at.y * (box->w - box->y)};

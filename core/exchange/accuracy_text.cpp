@@ -5,19 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/design/error.h"
+#include "core/exchange/csv_field.h"
 #include "core/exchange/error_json.h"
 
 namespace nacre {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == text.npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 Json points_json(const WayAccuracy& way) {
     Json points = Json::array();

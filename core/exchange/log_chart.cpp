@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/exchange/log_axis.h"
-#include "core/exchange/xml_text.h"
+#include "core/exchange/svg_page.h"
 
 namespace nacre {
 namespace {
@@ -18,15 +18,8 @@ constexpr double left = 112, right = 806, top = 92, foot = 574;  // of the plot
 constexpr double legend_left = 838;
 constexpr std::size_t legend_characters = 40;  // on a line
 
-constexpr const char* fonts = "Inter, 'Helvetica Neue', Helvetica, Arial, 'DejaVu Sans', sans-serif";
-constexpr const char* ink = "#1f2328";
-constexpr const char* quiet = "#5b636d";
-constexpr const char* grid = "#e3e6ea";
-
 // Okabe & Ito (2008), without yellow, which light grounds swallow.
 constexpr std::array colours = {"#0072B2", "#E69F00", "#009E73", "#D55E00", "#1f2328", "#CC79A7", "#56B4E9"};
-
-std::string number(double value) { return fmt::format("{:.1f}", value); }
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t characters) {
     std::vector<std::string> lines = {""};
@@ -47,7 +40,7 @@ struct Box {
 
 class Drawing {
   public:
-    explicit Drawing(const LogChart& chart) : chart_(chart) {
+    explicit Drawing(const LogChart& chart) : chart_(chart), page_({width, height}, chart.title) {
         std::vector<double> xs, ys;
         for (const ChartLine& line : chart.lines)
             for (const auto* points : {&line.points, &line.faint})
@@ -60,12 +53,13 @@ class Drawing {
     }
 
     std::string text() && {
-        open();
+        page_.text({left, 40}, chart_.title, "font-size=\"24\" font-weight=\"600\"");
+        page_.text({left, 66}, chart_.subtitle, "font-size=\"15\" fill=\"#5b636d\"");
         axes();
         for (std::size_t i = 0; i < chart_.lines.size(); ++i) draw_line(chart_.lines[i], i);
         labels();
         legend();
-        return std::move(svg_) + "</svg>\n";
+        return std::move(page_).finished();
     }
 
   private:
@@ -78,26 +72,8 @@ class Drawing {
     double y_at(double value) const { return foot - (foot - top) * y_.place(kept(value)); }
     bool inside(const ChartPoint& point) const { return point.y <= chart_.y_most; }
 
-    void write(double x, double y, const std::string& text, const char* style) {
-        svg_ += fmt::format("<text x=\"{}\" y=\"{}\" {}>{}</text>\n", number(x), number(y), style,
-                            xml_text(text));
-    }
-
-    void open() {
-        svg_ += fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-            "font-family=\"{2}\" font-size=\"14\" fill=\"{3}\">\n<title>{4}</title>\n"
-            "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
-            "<clipPath id=\"plot\"><rect x=\"{5}\" y=\"{6}\" width=\"{7}\" height=\"{8}\"/></clipPath>\n",
-            width, height, fonts, ink, xml_text(chart_.title), left, top - 7, right - left + 8,
-            foot - top + 14);
-        write(left, 40, chart_.title, "font-size=\"24\" font-weight=\"600\"");
-        write(left, 66, chart_.subtitle, "font-size=\"15\" fill=\"#5b636d\"");
-    }
-
     void grid_line(double x1, double y1, double x2, double y2, const char* colour) {
-        svg_ += fmt::format("<path d=\"M{} {}L{} {}\" stroke=\"{}\"/>\n", number(x1), number(y1), number(x2),
-                            number(y2), colour);
+        page_.line({x1, y1}, {x2, y2}, fmt::format("stroke=\"{}\"", colour));
     }
 
     void axes() {
@@ -106,37 +82,34 @@ class Drawing {
                 const double x = x_at(i * std::pow(10, decade));
                 if (x < left - 0.5 || x > right + 0.5) continue;
                 if (i > 1) {
-                    grid_line(x, foot, x, foot - 4, quiet);
+                    grid_line(x, foot, x, foot - 4, svg_ink::quiet);
                     continue;
                 }
-                grid_line(x, top, x, foot, grid);
-                write(x, foot + 24, tick_label(chart_.x.unit, decade), "text-anchor=\"middle\"");
+                grid_line(x, top, x, foot, svg_ink::grid);
+                page_.text({x, foot + 24}, tick_label(chart_.x.unit, decade), "text-anchor=\"middle\"");
             }
         }
         for (int decade = y_.first_tick(); decade <= y_.last_tick(); ++decade) {
             const double y = y_at(std::pow(10, decade));
-            grid_line(left, y, right, y, grid);
-            write(left - 10, y + 5, tick_label(chart_.y.unit, decade), "text-anchor=\"end\"");
+            grid_line(left, y, right, y, svg_ink::grid);
+            page_.text({left - 10, y + 5}, tick_label(chart_.y.unit, decade), "text-anchor=\"end\"");
             for (int i = 2; i < 10 && decade < y_.last_tick(); ++i) {
                 const double minor = y_at(i * std::pow(10, decade));
-                grid_line(left, minor, left + 4, minor, quiet);
+                grid_line(left, minor, left + 4, minor, svg_ink::quiet);
             }
         }
-        grid_line(left, foot, right, foot, quiet);
-        grid_line(left, top, left, foot, quiet);
-        write(0.5 * (left + right), foot + 56, chart_.x.title, "text-anchor=\"middle\" font-size=\"15\"");
-        svg_ += fmt::format(
-            "<text transform=\"translate(28 {}) rotate(-90)\" text-anchor=\"middle\" "
-            "font-size=\"15\">{}</text>\n",
-            number(0.5 * (top + foot)), xml_text(chart_.y.title));
+        grid_line(left, foot, right, foot, svg_ink::quiet);
+        grid_line(left, top, left, foot, svg_ink::quiet);
+        page_.text({0.5 * (left + right), foot + 56}, chart_.x.title,
+                   "text-anchor=\"middle\" font-size=\"15\"");
+        page_.upward_text({28, 0.5 * (top + foot)}, chart_.y.title,
+                          "text-anchor=\"middle\" font-size=\"15\"");
     }
 
-    void path(const std::vector<ChartPoint>& points, const char* style) {
-        if (points.size() < 2) return;
-        std::string d;
-        for (const ChartPoint& point : points)
-            d += fmt::format("{}{} {}", d.empty() ? "M" : "L", number(x_at(point.x)), number(y_at(point.y)));
-        svg_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", d, style);
+    void path(const std::vector<ChartPoint>& points, const std::string& style) {
+        std::vector<glm::dvec2> places;
+        for (const ChartPoint& point : points) places.emplace_back(x_at(point.x), y_at(point.y));
+        page_.path(places, style);
     }
 
     // A shape of its own for each line, about 11 pixels wide.
@@ -149,18 +122,16 @@ class Drawing {
             "M0 -8L1.9 -2.6L7.6 -2.5L3.1 1L4.7 6.5L0 3.2L-4.7 6.5L-3.1 1L-7.6 -2.5L-1.9 -2.6Z",
             "M-5 -3.2L-3.2 -5L0 -1.8L3.2 -5L5 -3.2L1.8 0L5 3.2L3.2 5L0 1.8L-3.2 5L-5 3.2L-1.8 0Z",
             "M0 6.2L5.6 -4.2H-5.6Z"};
-        svg_ += fmt::format(
-            "<path transform=\"translate({} {})\" d=\"{}\" fill=\"{}\" stroke=\"#ffffff\"/>\n", number(x),
-            number(y), shapes[index % std::size(shapes)], colours[index % colours.size()]);
+        page_.mark({x, y}, shapes[index % std::size(shapes)],
+                   fmt::format("fill=\"{}\" stroke=\"#ffffff\"", colours[index % colours.size()]));
     }
 
     void draw_line(const ChartLine& line, std::size_t index) {
         const char* colour = colours[index % colours.size()];
-        svg_ += "<g clip-path=\"url(#plot)\">\n";
-        if (line.joined) path(line.points, fmt::format("stroke=\"{}\" stroke-width=\"2.4\"", colour).c_str());
-        path(line.faint,
-             fmt::format("stroke=\"{}\" stroke-width=\"1.3\" stroke-dasharray=\"2 4\"", colour).c_str());
-        svg_ += "</g>\n";
+        page_.begin_clip({left, top - 7}, {right - left + 8, foot - top + 14});
+        if (line.joined) path(line.points, fmt::format("stroke=\"{}\" stroke-width=\"2.4\"", colour));
+        path(line.faint, fmt::format("stroke=\"{}\" stroke-width=\"1.3\" stroke-dasharray=\"2 4\"", colour));
+        page_.end_clip();
         for (const ChartPoint& point : line.points)
             if (inside(point)) mark(index, x_at(point.x), y_at(point.y));
     }
@@ -203,9 +174,9 @@ class Drawing {
             best = at;
         }
         if (least < std::numeric_limits<int>::max())
-            write(best.x, best.y, point.label,
-                  "font-weight=\"600\" stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\" "
-                  "paint-order=\"stroke\"");
+            page_.text({best.x, best.y}, point.label,
+                       "font-weight=\"600\" stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\" "
+                       "paint-order=\"stroke\"");
     }
 
     void labels() {
@@ -221,28 +192,27 @@ class Drawing {
             if (line.joined && line.points.size() > 1)
                 grid_line_of(legend_left, y, colours[i % colours.size()]);
             if (!line.points.empty()) mark(i, legend_left + 13, y);
-            write(legend_left + 36, y + 5, line.name, "font-weight=\"600\"");
+            page_.text({legend_left + 36, y + 5}, line.name, "font-weight=\"600\"");
             y += 6;
             for (const std::string& row : wrapped(line.note, legend_characters))
-                write(legend_left + 36, y += 17, row, "font-size=\"12\" fill=\"#5b636d\"");
+                page_.text({legend_left + 36, y += 17}, row, "font-size=\"12\" fill=\"#5b636d\"");
             y += 27;
         }
         y += 4;
         for (const std::string& note : chart_.notes) {
             for (const std::string& row : wrapped(note, legend_characters + 4))
-                write(legend_left, y += 17, row, "font-size=\"12\" fill=\"#5b636d\"");
+                page_.text({legend_left, y += 17}, row, "font-size=\"12\" fill=\"#5b636d\"");
             y += 8;
         }
     }
 
     void grid_line_of(double x, double y, const char* colour) {
-        svg_ += fmt::format("<path d=\"M{} {}h26\" stroke=\"{}\" stroke-width=\"2.4\"/>\n", number(x),
-                            number(y), colour);
+        page_.line({x, y}, {x + 26, y}, fmt::format("stroke=\"{}\" stroke-width=\"2.4\"", colour));
     }
 
     const LogChart& chart_;
     LogRange x_, y_;
-    std::string svg_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    SvgPage page_;
 };
 
 }  // namespace

@@ -13,14 +13,6 @@ constexpr double margin = 1.17;  // of the shown radius: room for the angles' nu
 constexpr double radians = std::numbers::pi / 180;
 constexpr double nadir = std::numbers::sqrt2;  // radius of the whole sphere's disk
 
-glm::dmat3 to_view(const HemisphereCamera& camera) {
-    const double cy = std::cos(camera.yaw * radians), sy = std::sin(camera.yaw * radians);
-    const double lean = (90 - camera.pitch) * radians, cl = std::cos(lean), sl = std::sin(lean);
-    const glm::dmat3 turn{{cy, sy, 0}, {-sy, cy, 0}, {0, 0, 1}};
-    const glm::dmat3 tip{{1, 0, 0}, {0, cl, -sl}, {0, sl, cl}};
-    return tip * turn;
-}
-
 // A camera may not lose sight of what it shows.
 void keep_in_sight(HemisphereCamera& camera) {
     camera.zoom = std::clamp(camera.zoom, zoom_least, zoom_most);
@@ -31,8 +23,16 @@ void keep_in_sight(HemisphereCamera& camera) {
 
 }  // namespace
 
+glm::dmat3 to_view(double yaw, double pitch) {
+    const double cy = std::cos(yaw * radians), sy = std::sin(yaw * radians);
+    const double lean = (90 - pitch) * radians, cl = std::cos(lean), sl = std::sin(lean);
+    const glm::dmat3 turn{{cy, sy, 0}, {-sy, cy, 0}, {0, 0, 1}};
+    const glm::dmat3 tip{{1, 0, 0}, {0, cl, -sl}, {0, sl, cl}};
+    return tip * turn;
+}
+
 HemisphereView::HemisphereView(const HemisphereCamera& camera, glm::dvec2 size)
-    : camera_(camera), size_(size), to_view_(to_view(camera)) {
+    : camera_(camera), size_(size), to_view_(to_view(camera.yaw, camera.pitch)) {
     unit_ = std::max(std::min(size.x, size.y), 1.0) / (2 * margin * radius()) * camera.zoom;
 }
 

@@ -22,6 +22,9 @@ struct HemisphereCamera {
 
 inline constexpr double zoom_least = 1, zoom_most = 40;
 
+// From the surface's frame to a viewer's: x right, y up, z toward the viewer. Degrees, as a camera has them.
+glm::dmat3 to_view(double yaw, double pitch);
+
 // Pixels count from the picture's left top corner.
 class HemisphereView {
   public:

@@ -20,6 +20,7 @@
 #include "core/exchange/input_file.h"
 #include "core/exchange/letterbox.h"
 #include "core/exchange/png_chunks.h"
+#include "core/model/luminance.h"
 
 namespace nacre {
 namespace {
@@ -114,8 +115,7 @@ struct GreyReader {
 
     double operator()(const float* pixel) const {
         if (colours == 1) return linear(pixel, colour[0]);
-        return 0.2126 * linear(pixel, colour[0]) + 0.7152 * linear(pixel, colour[1]) +
-               0.0722 * linear(pixel, colour[2]);
+        return luminance({linear(pixel, colour[0]), linear(pixel, colour[1]), linear(pixel, colour[2])});
     }
 
     double linear(const float* pixel, int channel) const {

@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
+#include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/exchange/picture.h"
@@ -113,4 +116,33 @@ TEST_CASE("export --to glsl writes the function") {
     const std::string list = answer({"export", "--list"});
     CHECK(list.find("exr") != std::string::npos);
     CHECK(list.find("glsl") != std::string::npos);
+}
+
+TEST_CASE("plot writes a drawing or numbers, and its R is that of tables") {
+    const TemporaryFolder folder;
+    Design model = design_of(GgxLobe{0.3, 0.3});
+    model.fresnel = SchlickFresnel{};
+    const DesignOnDisk design(model);
+    answer({"plot", design.path(), "--what", "slice", "--term", "P1", "-o", folder / "a.svg"});
+    CHECK(read_all(folder / "a.svg").find("</svg>") != std::string::npos);
+    answer({"plot", design.path(), "-o", folder / "a.csv"});
+    std::string numbers = read_all(folder / "a.csv");
+    numbers.erase(0, numbers.find('\n') + 1);
+    std::replace(numbers.begin(), numbers.end(), ',', ' ');
+    const auto plotted = rows(numbers);
+    std::string directions;
+    for (const auto& row : plotted) {
+        const double theta = row.at(0) * std::acos(-1.0) / 180;
+        directions += fmt::format("{} 0 {}\n", std::sin(theta), std::max(std::cos(theta), 0.0));
+    }
+    const auto tables = rows(answer({"tables", design.path()}, directions));
+    REQUIRE(tables.size() == plotted.size());
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        CHECK(plotted[i].at(2) == doctest::Approx(tables[i].at(2)).epsilon(1e-6));
+        CHECK(plotted[i].at(3) == doctest::Approx(tables[i].at(3)).epsilon(1e-6));
+    }
+    const Finished wrong = run_cli({"plot", design.path(), "-o", folder / "a.pdf"});
+    CHECK(wrong.code == 1);
+    CHECK_MESSAGE(is_one_line_with(wrong.err, {"a.pdf", "a .svg or a .csv"}), wrong.err);
+    CHECK(run_cli({"plot", design.path(), "--what", "pie", "-o", folder / "a.svg"}).code == 2);
 }

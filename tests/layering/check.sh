@@ -26,6 +26,7 @@ forbid core 'knows no OpenGL' "$opengl"
 forbid core 'knows no Dear ImGui' "$imgui"
 forbid core 'knows no window' "$glfw"
 forbid core 'looks at nobody above it' '# *include *[<"](ui|app)/'
+forbid core/plot 'reads and writes no file' "$files"
 forbid ui 'makes no OpenGL call' "$opengl"
 forbid ui 'knows no window' "$glfw"
 forbid ui 'reads and writes no file' "$(printf %s "$files" | sed 's/|cstdio//')"

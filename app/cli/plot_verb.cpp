@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/cli/bake_options.h"
+#include "app/cli/design_input.h"
+#include "app/cli/verbs.h"
+#include "core/design/design_file.h"
+#include "core/exchange/plot_files.h"
+
+namespace nacre::cli {
+namespace {
+
+struct PlotOptions {
+    std::string design;
+    std::string file;
+    std::string what = "albedo";
+    std::string term = "total";
+    std::string scale;
+    PlotSettings settings = {};
+    BakeOptions bake = {};
+};
+
+std::vector<std::string> kind_names() {
+    std::vector<std::string> names;
+    for (int i = 0; i < plot_kinds; ++i) names.emplace_back(name_of(static_cast<PlotKind>(i)));
+    return names;
+}
+
+int plot(PlotOptions options, Interrupt& interrupt) {
+    PlotSettings& settings = options.settings;
+    settings.kind = *plot_kind(options.what);
+    settings.term = *term_by_name(options.term);
+    if (!options.scale.empty())
+        settings.logarithmic[static_cast<std::size_t>(settings.kind)] = options.scale == "log";
+    check_plot_file(options.file);
+    const Design design = load_design(options.design);
+    options.bake.albedo = needs_albedo(settings);
+    const auto tables = bake_design(design, options.design, options.bake, interrupt);
+    const Plot made = *make_plot(*tables, settings);
+    interrupt.write_files([&] { write_plot(options.file, made); });
+    return 0;
+}
+
+}  // namespace
+
+void declare_plot(Command& command, Action& action) {
+    const auto options = std::make_shared<PlotOptions>();
+    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.option("-o,--output", options->file, "a .svg or .csv file").required();
+    command.option("--what", options->what, fmt::format("{}", fmt::join(kind_names(), ", ")))
+        .one_of(kind_names())
+        .shows_default();
+    command
+        .option("--term", options->term,
+                fmt::format("of lobe, lobe3d and slice: {}", fmt::join(term_names(), ", ")))
+        .one_of(term_names())
+        .shows_default();
+    command
+        .option("--theta", options->settings.incidence, "of lobe and lobe3d: the angle of k1 from the normal")
+        .finite_within(0.0, incidence_most)
+        .shows_default();
+    command
+        .option("--phi", options->settings.azimuth,
+                "the azimuth of the mirror direction (lobe, lobe3d) or of the half vector (slice)")
+        .finite_within(-360.0, 360.0)
+        .shows_default();
+    command.option("--phi-d", options->settings.turn, "of slice: the azimuth of the difference vector")
+        .finite_within(-360.0, 360.0)
+        .shows_default();
+    command.option("--scale", options->scale, "linear or log (default: log for slice, else linear)")
+        .one_of({"linear", "log"});
+    add_tolerance_option(command, options->bake);
+    command.when_chosen([options, &action] {
+        action = [options](Interrupt& interrupt) { return plot(*options, interrupt); };
+    });
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,24 @@
+// Plots as files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/plot/draw_plot.h"
+
+namespace nacre {
+
+// Well-formed XML in UTF-8, about 1,000 x 620 pixels.
+std::string plot_svg(const Plot& plot, const ShapeView& view = {});
+
+// RFC 4180 with a header; angles in degrees, every number with as many digits as tell it from all others. A
+// row for each abscissa of the curves, each k2 of a shape and each cell of a slice.
+std::string plot_csv(const Plot& plot);
+
+// A UserError of `file` unless it ends in .svg or .csv.
+void check_plot_file(const std::filesystem::path& file);
+
+// By the file's extension, .svg or .csv; see check_plot_file(). Whole or not at all.
+void write_plot(const std::filesystem::path& file, const Plot& plot, const ShapeView& view = {});
+
+}  // namespace nacre

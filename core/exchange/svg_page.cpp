@@ -1,0 +1,81 @@
+#include "core/exchange/svg_page.h"
+
+#include <fmt/core.h>
+
+#include <iterator>
+#include <utility>
+
+#include "core/exchange/xml_text.h"
+
+namespace nacre {
+namespace {
+
+constexpr const char* fonts = "Inter, 'Helvetica Neue', Helvetica, Arial, 'DejaVu Sans', sans-serif";
+
+std::string outline(std::span<const glm::dvec2> points) {
+    std::string d;
+    for (const glm::dvec2& point : points)
+        fmt::format_to(std::back_inserter(d), "{}{:.1f} {:.1f}", d.empty() ? "M" : "L", point.x, point.y);
+    return d;
+}
+
+}  // namespace
+
+SvgPage::SvgPage(glm::dvec2 size, const std::string& title) {
+    svg_ = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+        "font-family=\"{2}\" font-size=\"14\" fill=\"{3}\">\n<title>{4}</title>\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+        size.x, size.y, fonts, svg_ink::text, xml_text(title));
+}
+
+void SvgPage::text(glm::dvec2 at, const std::string& text, const std::string& style) {
+    svg_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", at.x, at.y, style, xml_text(text));
+}
+
+void SvgPage::upward_text(glm::dvec2 at, const std::string& text, const std::string& style) {
+    svg_ += fmt::format("<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" {}>{}</text>\n", at.x, at.y,
+                        style, xml_text(text));
+}
+
+void SvgPage::line(glm::dvec2 from, glm::dvec2 to, const std::string& style) {
+    svg_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", from.x, from.y, to.x, to.y, style);
+}
+
+void SvgPage::path(std::span<const glm::dvec2> points, const std::string& style) {
+    if (points.size() < 2) return;
+    svg_ +=
+        fmt::format("<path d=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", outline(points), style);
+}
+
+void SvgPage::polygon(std::span<const glm::dvec2> points, const std::string& style) {
+    svg_ += fmt::format("<path d=\"{}Z\" {}/>\n", outline(points), style);
+}
+
+void SvgPage::rectangle(glm::dvec2 low, glm::dvec2 size, const std::string& style) {
+    svg_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n", low.x,
+                        low.y, size.x, size.y, style);
+}
+
+void SvgPage::circle(glm::dvec2 middle, double radius, const std::string& style) {
+    svg_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}/>\n", middle.x, middle.y, radius,
+                        style);
+}
+
+void SvgPage::mark(glm::dvec2 at, const char* outline, const std::string& style) {
+    svg_ += fmt::format("<path transform=\"translate({:.1f} {:.1f})\" d=\"{}\" {}/>\n", at.x, at.y, outline,
+                        style);
+}
+
+void SvgPage::begin_clip(glm::dvec2 low, glm::dvec2 size) {
+    svg_ += fmt::format("<clipPath id=\"clip{}\">", ++clips_);
+    rectangle(low, size, "");
+    svg_ += fmt::format("</clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_);
+}
+
+void SvgPage::end_clip() { svg_ += "</g>\n"; }
+
+std::string SvgPage::finished() && { return std::move(svg_) + "</svg>\n"; }
+
+}  // namespace nacre
