@@ -39,9 +39,11 @@ void bar(const SliderSpec& spec, double& value, bool marked) {
     list.AddRectFilled({std::min(origin, x), low.y}, {std::max(origin, x), high.y},
                        ImGui::GetColorU32(palette::accent_dim), style.FrameRounding);
     const float half = std::max(1.0f, std::round(ImGui::GetFontSize() / 15)) * 1.0f;
-    if (marked)
-        list.AddRectFilled({x - half, low.y + 2}, {x + half, high.y - 2},
-                           ImGui::GetColorU32(hovered ? palette::accent_bright : palette::accent), half);
+    const auto mark = [&](float top, float bottom) {
+        if (marked)
+            list.AddRectFilled({x - half, top}, {x + half, bottom},
+                               ImGui::GetColorU32(hovered ? palette::accent_bright : palette::accent), half);
+    };
 
     for (const ImGuiCol colour : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
                                   ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
@@ -58,10 +60,18 @@ void bar(const SliderSpec& spec, double& value, bool marked) {
     std::snprintf(text, sizeof(text), spec.format, value);
     const float breadth = ImGui::CalcTextSize(text).x, centred = low.x + (width - breadth) / 2;
     const float at_right = high.x - style.FramePadding.x - margin - breadth;
+    const float begin = std::max(at_right, std::min(centred, low.x + margin)), end = begin + breadth;
     list.PushClipRect(low, high, true);
-    list.AddText({std::max(at_right, std::min(centred, low.x + margin)), low.y + style.FramePadding.y},
-                 ImGui::GetColorU32(ImGuiCol_Text), text);
+    list.AddText({begin, low.y + style.FramePadding.y}, ImGui::GetColorU32(ImGuiCol_Text), text);
     list.PopClipRect();
+    // The mark leaves a gap for the number.
+    const float inset = scaled(2), tick = style.FramePadding.y;
+    if (x + 2 * half < begin || x - 2 * half > end) {
+        mark(low.y + inset, high.y - inset);
+    } else {
+        mark(low.y, low.y + tick);
+        mark(high.y - tick, high.y);
+    }
 }
 
 std::string reset_text(const SliderSpec& spec) {
