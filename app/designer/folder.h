@@ -3,14 +3,16 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/dialogs.h"
 
 namespace nacre {
 
-// Folders and design files, sorted, without hidden ones.
-ui::Listing list_folder(const std::filesystem::path& folder);
+// Folders and files whose name ends so, sorted, without hidden ones.
+ui::Listing list_folder(const std::filesystem::path& folder, std::string_view extension);
+ui::Listing list_designs(const std::filesystem::path& folder);
 
 struct Preset {
     std::string name;  // of the file, without ".nacre"

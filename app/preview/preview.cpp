@@ -1,7 +1,6 @@
 #include "app/preview/preview.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "app/preview/upload.h"
 #include "core/exchange/shader_variant.h"
@@ -11,7 +10,6 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t programs_kept = 24;  // variants that an editing session may go back and forth between
-constexpr glm::dvec3 background{0.045, 0.047, 0.052};
 
 std::string text(const char* name) { return std::string(shader_text(name)); }
 
@@ -47,7 +45,7 @@ void Preview::set(std::shared_ptr<const Tables> tables) {
 
 const Program& Preview::surface_program(const Scene& scene) {
     ShaderVariant variant = variant_of(tables_->shading);
-    variant.second_light = scene.second_light;
+    variant.lights = static_cast<int>(lights_of(scene).size());
     variant.ambient = scene.ambient && variant.kinds.albedo;
     const std::string fragment = fragment_shader(variant, "surface.frag");
     if (surfaces_.size() > programs_kept && !surfaces_.count(fragment)) surfaces_.clear();
@@ -70,12 +68,16 @@ void Preview::draw_radiance(const Scene& scene, glm::ivec2 size, int supersample
     set_uniform(program, "tangents", 2);
     set_uniform(program, "target_size", glm::dvec2(texels));
     set_uniform(program, "texels_per_unit", pixels_per_unit(scene, texels));
-    set_uniform(program, "light_direction", light_direction(scene.light));
-    set_uniform(program, "light_irradiance", scene.light.irradiance);
-    set_uniform(program, "second_direction", light_direction(scene.second));
-    set_uniform(program, "second_irradiance", scene.second.irradiance);
+    int index = 0;
+    for (const LightSource& light : lights_of(scene)) {
+        const std::string at = "[" + std::to_string(index++) + "]";
+        set_uniform(program, ("light_direction" + at).c_str(), light_direction(light));
+        set_uniform(program, ("light_irradiance" + at).c_str(), light.irradiance);
+    }
     set_uniform(program, "ambient_radiance", scene.ambient_radiance);
-    set_uniform(program, "background", background);
+    const Backdrop backdrop = backdrop_of(scene);
+    set_uniform(program, "background", backdrop.radiance);
+    set_uniform(program, "falloff", backdrop.falls_off ? 1.0 : 0.0);
     full_screen_.draw();
 }
 
