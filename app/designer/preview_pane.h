@@ -55,6 +55,7 @@ class PreviewPane {
     Scene drawn_scene_;
     glm::ivec2 drawn_size_{0};
     DrawQuality drawn_quality_;
+    Motion last_motion_ = Motion::none;
     double changed_at_ = 0;  // seconds on Dear ImGui's clock
     double seconds_a_sample_ = 0;
 };
