@@ -3,12 +3,8 @@
 
 uniform vec2 target_size;       // texels
 uniform float texels_per_unit;  // of view space
-uniform vec3 light_direction;   // toward the light, view space
-uniform vec3 light_irradiance;  // on a surface that faces it
-#if SECOND_LIGHT
-uniform vec3 second_direction;
-uniform vec3 second_irradiance;
-#endif
+uniform vec3 light_direction[LIGHTS];   // toward each light, view space
+uniform vec3 light_irradiance[LIGHTS];  // on a surface that faces it
 #if AMBIENT_LIGHT
 uniform vec3 ambient_radiance;
 #endif
@@ -17,6 +13,7 @@ uniform float environment_brightness;  // factor
 uniform float background_slope;  // of the view's rays, per unit of view space beside the middle
 #else
 uniform vec3 background;  // linear radiance at the centre
+uniform float falloff;    // toward the corners: 1 for a wall, 0 for the same everywhere
 #endif
 
 out vec4 radiance;
@@ -35,15 +32,13 @@ vec3 shade(mat3 frame) {
 #if SHOWS_MASKING_2
     vec3 k1 = viewer.k;  // the light plays no part
 #else
-    vec3 k1 = light_direction * frame;
+    vec3 k1 = light_direction[0] * frame;
 #endif
     if (k1.z <= 0.0 || viewer.k.z <= 0.0) return vec3(0.0);
     return factor(direction(k1), viewer);
 #else
-    vec3 sum = lit(viewer, frame, light_direction, light_irradiance);
-#if SECOND_LIGHT
-    sum += lit(viewer, frame, second_direction, second_irradiance);
-#endif
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < LIGHTS; ++i) sum += lit(viewer, frame, light_direction[i], light_irradiance[i]);
 #if AMBIENT_LIGHT
     sum += shown_albedo(viewer) * ambient_radiance;
 #endif
@@ -65,7 +60,7 @@ vec3 wall(vec2 at) {
     return vec3(0.0);
 #endif
     float r2 = dot(at, at);
-    return background / (1.0 + 0.35 * r2 + 0.05 * r2 * r2);
+    return background / (1.0 + falloff * (0.35 * r2 + 0.05 * r2 * r2));
 }
 #endif
 

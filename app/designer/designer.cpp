@@ -119,6 +119,7 @@ void draw_preview(Designer& designer) {
                                      ui::use_tool(canvas, sphere, designer.document.design.distribution,
                                                   designer.layers.chosen);
                           });
+    designer.objects.draw(designer.scene);
 }
 
 void draw_status(Designer& designer) {
@@ -176,7 +177,7 @@ void draw_frame(Designer& designer) {
     // The first tables are baked while the rest of the first frame is drawn.
     if (!designer.preview.has_picture()) ask(designer);
     if (!designer.files.talking() && !designer.pictures.talking() && !designer.environment.talking() &&
-        !designer.plots.saving.talking())
+        !designer.objects.talking() && !designer.plots.saving.talking())
         if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
     const ui::MenuState menu{.can_undo = document.history.can_undo(),
                              .can_redo = document.history.can_redo(),
@@ -207,10 +208,18 @@ void draw_frame(Designer& designer) {
 
     if (!designer.files.talking())
         if (auto done = designer.plots.saving.draw()) designer.files.tell(std::move(*done));
+    if (!designer.files.talking() && !designer.pictures.talking()) designer.objects.talk();
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
     ask(designer);
+}
+
+void take_file(Designer& designer, const std::filesystem::path& file) {
+    if (names_object(file.string()))
+        designer.objects.want(file.string());
+    else
+        designer.pictures.offer(file);
 }
 
 void perform(Designer& designer, ui::Command command) {
@@ -244,7 +253,8 @@ void perform(Designer& designer, ui::Command command) {
 }
 
 bool in_motion(const Designer& designer) {
-    return !designer.settled || designer.environment.busy() || designer.preview.gathering();
+    return !designer.settled || designer.environment.busy() || designer.objects.busy() ||
+           designer.preview.gathering();
 }
 
 }  // namespace nacre

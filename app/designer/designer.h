@@ -15,6 +15,7 @@
 #include "app/designer/file_flow.h"
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
+#include "app/designer/object_chooser.h"
 #include "app/designer/picture_drop.h"
 #include "app/designer/plots_pane.h"
 #include "app/designer/preview_pane.h"
@@ -39,6 +40,7 @@ struct Designer {
     PictureDrop pictures;
     EnvironmentPanel environment;
     PlotsPane plots;
+    ObjectChooser objects;
     Layout layout;
     ui::LayersView layers;
     std::vector<Preset> presets;
@@ -51,6 +53,9 @@ struct Designer {
 
 // Draws one frame and acts on its input. Never waits for the worker.
 void draw_frame(Designer& designer);
+
+// A file was dropped on the window.
+void take_file(Designer& designer, const std::filesystem::path& file);
 
 void perform(Designer& designer, ui::Command command);
 

@@ -11,11 +11,17 @@ namespace nacre {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+ui::Listing list_plots(const fs::path& folder) { return list_files(folder, {".svg", ".csv"}); }
+
+}  // namespace
+
 void PlotSaving::ask(Plot plot, const ShapeView& view, const std::string& name) {
     plot_ = std::move(plot);
     view_ = view;
     dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::save,
-                             .listing = list_folder(folder_),
+                             .listing = list_plots(folder_),
                              .path = name,
                              .problem = {},
                              .title = "Save plot as",
@@ -26,7 +32,7 @@ std::optional<std::string> PlotSaving::draw() {
     if (!problem_.empty() || overwrite_) return draw_questions();
     if (!dialog_) return {};
     fs::path chosen;
-    const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_folder, chosen);
+    const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_plots, chosen);
     if (answer == ui::DialogAnswer::cancelled) dialog_.reset();
     if (answer != ui::DialogAnswer::accepted) return {};
     dialog_.reset();

@@ -1,7 +1,7 @@
 #include "app/designer/preview_pane.h"
 
 #include <fmt/core.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -69,10 +69,13 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     if (size.x < 1 || size.y < 1) return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (look.view == ui::CompareView::divider) ui::divider_handle(look.divider, corner, size);
-    ImGui::InvisibleButton("Preview", size,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
+    constexpr ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft |
+                                         ImGuiButtonFlags_MouseButtonRight |
+                                         ImGuiButtonFlags_MouseButtonMiddle;
+    // Widgets that stand on the picture come before it.
+    ImGui::InvisibleButton("Preview", size, buttons | ImGuiButtonFlags_AllowItemOverlap);
     ui::note_item("Preview");
+    ImGui::SetItemAllowOverlap();
     const bool taken = work(scene, corner, size, tool);
     handle_mouse(scene, corner, size, taken);
     if (preview_.empty()) return;
