@@ -24,29 +24,31 @@ std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string
     if (main != "surface.frag") return {};
     if (variant.surroundings) return {"shown.glsl", "seen.glsl", "environment.glsl"};
     return {"shown.glsl", "seen.glsl"};
-    // The lobe that a model of shaders/shared/closed_forms.glsl is written with, if any.
-    std::optional<int> lobe_of(const std::optional<int>& closed_form) {
-        if (closed_form == Shader::MODEL_WARD) return Shader::LOBE_GAUSSIAN;
-        if (closed_form == Shader::MODEL_GGX) return Shader::LOBE_GGX;
-        if (closed_form == Shader::MODEL_BECKMANN) return Shader::LOBE_BECKMANN;
-        return {};
-    }
+}
 
-    std::string shown_definitions(const ShaderVariant& variant) {
-        std::string text;
-        const auto define = [&](std::string_view name, bool on) {
-            text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
-        };
-        define("CLOSED_FORM", variant.closed_form.has_value());
-        define("SHOWS_SPECULAR", variant.term == Term::specular);
-        define("SHOWS_DIFFUSE", variant.term == Term::diffuse);
-        define("SHOWS_FACTOR", is_factor(variant.term));
-        define("SHOWS_DENSITY", variant.term == Term::density);
-        define("SHOWS_MASKING_1", variant.term == Term::masking1);
-        define("SHOWS_MASKING_2", variant.term == Term::masking2);
-        define("SHOWS_FRESNEL", variant.term == Term::fresnel);
-        return text;
-    }
+// The lobe that a model of shaders/shared/closed_forms.glsl is written with, if any.
+std::optional<int> lobe_of(const std::optional<int>& closed_form) {
+    if (closed_form == Shader::MODEL_WARD) return Shader::LOBE_GAUSSIAN;
+    if (closed_form == Shader::MODEL_GGX) return Shader::LOBE_GGX;
+    if (closed_form == Shader::MODEL_BECKMANN) return Shader::LOBE_BECKMANN;
+    return {};
+}
+
+std::string shown_definitions(const ShaderVariant& variant) {
+    std::string text;
+    const auto define = [&](std::string_view name, bool on) {
+        text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
+    };
+    define("CLOSED_FORM", variant.closed_form.has_value());
+    define("SHOWS_SPECULAR", variant.term == Term::specular);
+    define("SHOWS_DIFFUSE", variant.term == Term::diffuse);
+    define("SHOWS_FACTOR", is_factor(variant.term));
+    define("SHOWS_DENSITY", variant.term == Term::density);
+    define("SHOWS_MASKING_1", variant.term == Term::masking1);
+    define("SHOWS_MASKING_2", variant.term == Term::masking2);
+    define("SHOWS_FRESNEL", variant.term == Term::fresnel);
+    return text;
+}
 
 }  // namespace
 

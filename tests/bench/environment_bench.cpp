@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int side = 48, points_wanted = 96;
+constexpr int side = 32, points_wanted = 64;
 constexpr int counts[] = {1, 4, 16, 64, 256, 1024};
 
 }  // namespace
