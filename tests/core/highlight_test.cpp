@@ -47,7 +47,8 @@ double degrees_between(dvec3 a, dvec3 b) {
 
 }  // namespace
 
-TEST_CASE("highlight: one of two is carried by 20 degrees, the other stays to the bit, and no facet is lost") {
+TEST_CASE(
+    "highlight: one of two is carried by 20 degrees, the other stays to the bit, and no facet is lost") {
     const Raster both = dabs({polar(30, 0), polar(35, 180)}), other = dabs({polar(35, 180)});
     const auto highlight = Highlight::under(both, polar(32, 3));
     REQUIRE(highlight);

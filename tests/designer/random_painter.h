@@ -65,19 +65,21 @@ class RandomPainter {
 
     std::vector<std::string> layers() {
         const std::string layer = "Layer " + std::to_string(1 + pick(4));
-        switch (pick(8)) {
+        switch (pick(10)) {
             case 0:
                 return {click("Add layer"), "frames 2", click("Add " + std::string(one_of(lobes)))};
             case 1:
                 return {click(one_of(layer_buttons))};
             case 2:
             case 3:
-                return {click("Delete layer")};
             case 4:
-                return {click(layer + " enabled")};
             case 5:
-                return {click(layer + " solo")};
+                return {click("Delete layer")};
             case 6:
+                return {click(layer + " enabled")};
+            case 7:
+                return {click(layer + " solo")};
+            case 8:
                 return {drag("\"Weight\":" + fraction(), "\"Weight\":" + fraction())};
             default:
                 return {click(layer)};
