@@ -29,7 +29,7 @@ std::string spoken(std::string name) {
 
 }  // namespace
 
-ui::Listing list_designs(const fs::path& folder) { return list_files(folder, {extension}); }
+ui::Listing list_designs(const fs::path& folder) { return list_files(folder, {".nacre"}); }
 
 ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& endings) {
     ui::Listing listing;
