@@ -58,7 +58,7 @@ std::vector<float> difference_picture(std::span<const float> a, std::span<const 
         dvec3 colour = glm::abs(apart);
         if (look.is_signed) {
             const double y = luminance(apart);
-            colour = std::fabs(y) * (y > 0 ? brighter : darker);
+            colour = std::fmin(std::fabs(y), 1) * (y > 0 ? brighter : darker);
         }
         for (int c = 0; c < 3; ++c)
             picture.push_back(static_cast<float>(srgb_encoded(std::fmin(colour[c], 1))));

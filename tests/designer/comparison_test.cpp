@@ -85,7 +85,7 @@ TEST_CASE("compare: each opponent can be chosen and is baked without a wait of t
         if (opponent == Opponent(ShadowingModel::uncorrelated)) {
             CHECK(rms == 0);
         } else {
-            CHECK(rms > 1e-5);
+            CHECK(rms > 0);
         }
     }
 }
