@@ -13,7 +13,7 @@ namespace nacre {
 namespace {
 
 constexpr int circle_steps = 72;
-constexpr double reach_ems = 1.2;  // within which a pointer takes a point of the shape
+constexpr double reach_part = 0.04;  // of the height: within which a pointer takes a point of the shape
 const dvec3 light = glm::normalize(dvec3(-0.45, 0.65, 0.8));  // in the viewer's frame
 
 // Where points of space stand on the page.
@@ -98,7 +98,7 @@ void draw_k1(PlotPen& pen, const ShapePlot& plot, const Projection& projection) 
 std::optional<PlotReading> read_shape(const ShapePlot& plot, const PlotLayout& layout, const ShapeView& view,
                                       glm::dvec2 pixel) {
     const Projection projection(layout.area, view);
-    const double reach = 0.04 * layout.area.size().y;
+    const double reach = reach_part * layout.area.size().y;
     std::optional<PlotReading> reading;
     double nearest = -1e9;
     for (std::size_t i = 0; i < plot.k2.size(); ++i) {

@@ -18,6 +18,9 @@ namespace nacre {
 namespace {
 
 constexpr double horizon = 90 - 1e-3;  // degrees: as near to it as a direction above it needs to be
+// Cosine: a correlated masking grows like 1/c where both directions graze, and would leave no colour for the
+// rest of a slice.
+constexpr double grazing = 0.1;
 constexpr int shape_rings = 56, shape_spokes = 72;
 
 double highest_luminance(const std::vector<dvec3>& values) {
@@ -202,7 +205,7 @@ Plot slice_plot(const Tables& tables, const PlotSettings& settings) {
                    .y = angle_axis("angle between k1 and h, \u03b8d", 0, 90),
                    .side = settings.slice_side};
     std::vector<HalfFrame> frames;
-    std::vector<dvec3> differences;
+    std::vector<dvec3> differences, clear;  // values of pairs that decide how far the colours reach
     for (int i = 0; i < plot.side; ++i) {
         frames.emplace_back(plot.angle(i), settings.azimuth);
         differences.push_back(polar_direction(plot.angle(i), settings.turn));
@@ -215,8 +218,11 @@ Plot slice_plot(const Tables& tables, const PlotSettings& settings) {
             plot.values.push_back(above ? brdf_term(shading, shading.direction(pair.k1),
                                                     shading.direction(pair.k2), settings.term)
                                         : dvec3(0));
+            if (std::min(pair.k1.z, pair.k2.z) > grazing) clear.push_back(plot.values.back());
         }
-    plot.shade = term_axis(settings.term, highest_luminance(plot.values), settings.is_logarithmic());
+    double highest = highest_luminance(clear);
+    if (highest == 0) highest = highest_luminance(plot.values);
+    plot.shade = term_axis(settings.term, highest, settings.is_logarithmic());
     return {.title = fmt::format("{} over \u03b8h (along) and \u03b8d (up)", words_of(settings.term)),
             .subtitle =
                 fmt::format("\u03c6h {:.1f}\u00b0, \u03c6d {:.1f}\u00b0", settings.azimuth, settings.turn),

@@ -269,6 +269,16 @@ TEST_CASE("a slice holds the BRDF at the angles of half and difference vector") 
     }
 }
 
+TEST_CASE("the colours of a slice are not used up by a correlated masking that grows at grazing") {
+    Design design = design_of(GgxLobe{0.3, 0.3});
+    design.shadowing.model = ShadowingModel::smith_correlated;
+    const auto tables = baked(design);
+    const Plot plot = *make_plot(*tables, settings_of(PlotKind::slice));
+    const auto& slice = std::get<SlicePlot>(plot.contents);
+    CHECK(luminance(slice.values[std::size_t(slice.side * (slice.side - 1))]) > 100 * slice.shade.high);
+    CHECK(slice.shade.place(luminance(slice.values[0])) > 0.2);
+}
+
 TEST_CASE("every term alone, as a lobe: factors that multiply to the specular term") {
     Design design = coloured(design_of(GgxLobe{0.4, 0.4}));
     const auto tables = baked(design);
