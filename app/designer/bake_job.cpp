@@ -3,8 +3,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <exception>
-
 #include "core/design/design_check.h"
 #include "core/design/error.h"
 
@@ -33,17 +31,6 @@ void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeReq
         publish(baker.bake(request.design, options, stop));
         if (quality == Quality::draft) drafted = request;
         if (stop.stop_requested()) return;
-    }
-}
-
-std::string plain_words(const std::exception_ptr& error) {
-    try {
-        std::rethrow_exception(error);
-    } catch (const UserError& refused) {
-        const std::string where = refused.where.empty() ? "" : refused.where + ": ";
-        return where + refused.problem + (refused.found.empty() ? "" : " (" + refused.found + ")");
-    } catch (const std::exception& other) {
-        return other.what();
     }
 }
 

@@ -6,11 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "app/designer/perform.h"
 #include "app/designer/scene_panel.h"
 #include "app/designer/status.h"
 #include "ui/item_map.h"
 #include "ui/material_panel.h"
 #include "ui/presets_panel.h"
+#include "ui/shortcut_sheet.h"
 #include "ui/status_line.h"
 #include "ui/widgets.h"
 
@@ -81,10 +83,19 @@ void draw_preview(Designer& designer) {
                           });
 }
 
+// What could not be kept: it stands before the last thing done.
+std::string warning(const Designer& designer) {
+    if (!designer.autosave.problem().empty())
+        return "Unsaved work cannot be kept: " + designer.autosave.problem();
+    if (!designer.settings.problem().empty()) return designer.settings.problem();
+    return designer.recent.problem();
+}
+
 void draw_status(const Designer& designer) {
     ui::status_line({.tables = designer.tables_text,
                      .message = designer.files.message(),
                      .problem = designer.baker.problem(),
+                     .warning = warning(designer),
                      .working = designer.baker.busy()});
 }
 
@@ -116,67 +127,88 @@ void follow_bake(Designer& designer) {
     }
 }
 
+std::filesystem::path autosave_folder(const UserFolders& folders) {
+    return folders.state.empty() ? folders.state : folders.state / "unsaved";
+}
+
+void prepare_dialogs(Designer& designer) {
+    designer.files.remember({.settings = &designer.settings.values,
+                             .recent = &designer.recent,
+                             .dialogs = file_dialogs(designer),
+                             .home = designer.options.folders.home});
+}
+
+// One at a time.
+void draw_dialogs(Designer& designer) {
+    Document& document = designer.document;
+    designer.files.draw(document);
+    if (auto restored = designer.files.take_restored()) designer.autosave.take_over(std::move(*restored));
+    if (designer.files.talking()) return;
+    if (auto found = designer.recovery.draw())
+        designer.files.restore(document, std::move(*found));
+    else if (designer.sheet)
+        designer.sheet = ui::shortcut_sheet();
+    else
+        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+}
+
+// On the disk: the newest step of undo at once, the settings while no border is dragged.
+void keep(Designer& designer) {
+    designer.autosave.follow(designer.document);
+    if (!ImGui::IsAnyMouseDown()) designer.settings.keep();
+}
+
 }  // namespace
 
-Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets(presets_folder())) {}
+Designer::Designer(const DesignerOptions& given)
+    : options(given),
+      settings(options.folders.config),
+      recent(options.folders.state),
+      autosave(autosave_folder(options.folders)),
+      recovery(autosave_folder(options.folders)),
+      baker(options.bake_threads),
+      presets(list_presets(presets_folder())) {
+    recovery.look();
+}
+
+bool talking(const Designer& designer) {
+    return designer.files.talking() || designer.pictures.talking() || designer.recovery.talking() ||
+           designer.sheet;
+}
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;
-    if (!designer.files.talking() && !designer.pictures.talking())
-        if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
-    const ui::MenuState menu{.can_undo = document.history.can_undo(),
-                             .can_redo = document.history.can_redo(),
-                             .title = document.title()};
-    if (const auto command = ui::menu_bar(menu)) perform(designer, *command);
+    prepare_dialogs(designer);
+    if (!talking(designer))
+        if (const auto order = ui::pressed_shortcut()) perform(designer, *order);
+    if (const auto order = ui::menu_bar(menu_state(designer))) perform(designer, *order);
 
     designer.canvas.state.marked = designer.preview.pointed_at();
-    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
-                                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
-                                  .preview =
-                                      [&] {
-                                          follow_bake(designer);
-                                          draw_preview(designer);
-                                      },
-                                  .status = [&] { draw_status(designer); }});
-    designer.files.draw(document);
-    if (!designer.files.talking())
-        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+    Parts parts{.panel = [&] { draw_panel(designer); },
+                .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
+                .preview =
+                    [&] {
+                        follow_bake(designer);
+                        draw_preview(designer);
+                    },
+                .status = [&] { draw_status(designer); }};
+    if (!designer.panels) parts.panel = nullptr;
+    draw_layout(designer.settings.values.layout, parts);
+    draw_dialogs(designer);
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
     ask(designer);
+    keep(designer);
 }
 
-void perform(Designer& designer, ui::Command command) {
-    Document& document = designer.document;
-    switch (command) {
-        case ui::Command::new_design:
-            designer.files.start_new(document);
-            break;
-        case ui::Command::open:
-            designer.files.start_open(document);
-            break;
-        case ui::Command::save:
-            designer.files.save(document);
-            break;
-        case ui::Command::save_as:
-            designer.files.save_as(document);
-            break;
-        case ui::Command::undo:
-            document.undo();
-            break;
-        case ui::Command::redo:
-            document.redo();
-            break;
-        case ui::Command::quit:
-            designer.files.quit(document);
-            break;
-        case ui::Command::reset_camera:
-            reset_camera(designer.scene);
-            break;
-    }
+bool in_motion(const Designer& designer) {
+    return designer.baker.busy() || designer.autosave.busy() || designer.files.has_answer();
 }
 
-bool in_motion(const Designer& designer) { return designer.baker.busy(); }
+void finish(Designer& designer) {
+    designer.settings.keep();
+    designer.autosave.finish();
+}
 
 }  // namespace nacre

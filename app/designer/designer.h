@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/designer/autosave.h"
 #include "app/designer/bake_job.h"
 #include "app/designer/canvas_pane.h"
 #include "app/designer/document.h"
@@ -14,16 +16,31 @@
 #include "app/designer/layout.h"
 #include "app/designer/picture_drop.h"
 #include "app/designer/preview_pane.h"
+#include "app/designer/recent_files.h"
+#include "app/designer/recovery.h"
+#include "app/designer/settings.h"
+#include "app/designer/user_folders.h"
 #include "app/preview/scene.h"
 #include "ui/commands.h"
 #include "ui/layers_panel.h"
 
 namespace nacre {
 
-struct Designer {
-    // 0 threads: as many as the machine has. The worker gives way to drawing by its nice level.
-    explicit Designer(int bake_threads = 0);
+struct DesignerOptions {
+    int bake_threads = 0;                       // 0: as many as the machine has
+    UserFolders folders = {};                   // without them nothing of the user's is read or kept
+    std::optional<DialogProgram> dialogs = {};  // for files; without one Nacre's own browser asks
+};
 
+struct Designer {
+    // The worker gives way to drawing by its nice level.
+    explicit Designer(const DesignerOptions& options = {});
+
+    DesignerOptions options;
+    SettingsFile settings;
+    RecentFiles recent;
+    Autosave autosave;
+    Recovery recovery;
     Document document;
     Scene scene;
     BakeJob baker;
@@ -31,21 +48,34 @@ struct Designer {
     CanvasPane canvas;
     FileFlow files;
     PictureDrop pictures;
-    Layout layout;
+    bool panels = true;        // shown
+    bool full_screen = false;  // wanted; the host makes it so
+    bool sheet = false;        // of shortcuts, shown
     ui::LayersView layers;
     std::vector<Preset> presets;
     Distribution last_shown;  // p of the frame before, ...
     double changed_at = 0;    // ... when it last changed, seconds on Dear ImGui's clock, ...
     bool settled = true;      // ... and whether it rests, so that final tables are worth their time
     std::string tables_text;  // the shown tables, for the status line
+    std::optional<ui::CanvasTool> tool_before_erase;
 };
 
 // Draws one frame and acts on its input. Never waits for the worker.
 void draw_frame(Designer& designer);
 
-void perform(Designer& designer, ui::Command command);
+void perform(Designer& designer, ui::Order order);
+
+// A file came from outside, by a drop or by the command line: a design is opened, with the question where
+// work would be lost; a picture asks what it is for.
+void take_file(Designer& designer, const std::filesystem::path& file);
+
+// Whether a dialog has the keyboard.
+bool talking(const Designer& designer);
 
 // Whether the next frame will differ without any input.
 bool in_motion(const Designer& designer);
+
+// The clean end, once files.may_quit(): nothing is left to recover.
+void finish(Designer& designer);
 
 }  // namespace nacre

@@ -19,6 +19,9 @@ struct Document {
 
     explicit Document(Design start = starter_design(), std::filesystem::path from = {});
 
+    // From now on it differs from what is on the disk, whatever it is.
+    void mark_unsaved() { history.mark_unsaved(); }
+
     // Ends the present edit: one step of undo, if anything changed.
     void commit();
     void undo();

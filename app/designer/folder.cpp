@@ -11,8 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* extension = ".nacre";
-
 bool is_vowel(char letter) { return std::string_view("aeiouy").find(letter) != std::string_view::npos; }
 
 // "brushed-gold" reads as "Brushed gold"; a word without a vowel is an abbreviation: "GGX steel".
@@ -31,7 +29,7 @@ std::string spoken(std::string name) {
 
 }  // namespace
 
-ui::Listing list_folder(const fs::path& folder) {
+ui::Listing list_folder(const fs::path& folder, const std::string& extension) {
     ui::Listing listing;
     std::error_code error;
     listing.directory = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
@@ -43,7 +41,7 @@ ui::Listing list_folder(const fs::path& folder) {
         std::error_code unreadable;
         const bool is_directory = it->is_directory(unreadable);
         if (unreadable || name.starts_with('.')) continue;
-        if (is_directory || it->path().extension() == extension)
+        if (is_directory || extension.empty() || it->path().extension() == extension)
             listing.entries.push_back({name, is_directory});
     }
     if (error) listing.problem = error.message();
@@ -62,6 +60,15 @@ std::vector<Preset> list_presets(const fs::path& folder) {
             presets.push_back({spoken(file.stem().string()), file});
         }
     return presets;
+}
+
+fs::path existing_folder(fs::path folder) {
+    std::error_code error;
+    while (!folder.empty() && !fs::is_directory(folder, error)) {
+        const fs::path above = folder.parent_path();
+        folder = above == folder ? fs::path() : above;
+    }
+    return folder;
 }
 
 fs::path presets_folder() {

@@ -9,8 +9,10 @@
 
 namespace nacre {
 
-// Folders and design files, sorted, without hidden ones.
-ui::Listing list_folder(const std::filesystem::path& folder);
+inline constexpr const char* design_extension = ".nacre";
+
+// Folders and files with the extension (any, where it is empty), sorted, without hidden ones.
+ui::Listing list_folder(const std::filesystem::path& folder, const std::string& extension = design_extension);
 
 struct Preset {
     std::string name;  // of the file, without ".nacre"
@@ -18,6 +20,9 @@ struct Preset {
 };
 
 std::vector<Preset> list_presets(const std::filesystem::path& folder);
+
+// The nearest folder above that exists; empty where none does.
+std::filesystem::path existing_folder(std::filesystem::path folder);
 
 // Beside the program: in the source tree it was built from, or below share/ where it was installed.
 std::filesystem::path presets_folder();

@@ -65,12 +65,13 @@ void draw_layout(Layout& layout, const Parts& parts) {
     }
     const float most = std::max(window.x * panel_most, 1.0f);
     const Breadth panel{layout.panel, std::min(ui::panel_width() * 0.8f, most), most};
-    layout.panel = column("Panel", 0, top, height, panel, parts.panel);
-    const float beside = std::max(window.x - layout.panel, 2.0f);
+    if (parts.panel) layout.panel = column("Panel", 0, top, height, panel, parts.panel);
+    const float canvas_left = parts.panel ? layout.panel : 0;
+    const float beside = std::max(window.x - canvas_left, 2.0f);
     const Breadth canvas{std::round(beside * layout.canvas), beside * canvas_least, beside * canvas_most};
-    const float breadth = picture_column("CanvasColumn", layout.panel, top, height, canvas, parts.canvas);
+    const float breadth = picture_column("CanvasColumn", canvas_left, top, height, canvas, parts.canvas);
     if (std::abs(breadth - canvas.now) > 0.5f) layout.canvas = breadth / beside;
-    const float left = layout.panel + breadth, rest = std::max(window.x - left, 1.0f);
+    const float left = canvas_left + breadth, rest = std::max(window.x - left, 1.0f);
     picture_column("PreviewColumn", left, top, height, {rest, rest, rest}, parts.preview);
 
     ImGui::SetNextWindowPos(ImVec2(0, window.y - bottom));

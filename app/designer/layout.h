@@ -9,10 +9,11 @@ namespace nacre {
 struct Layout {
     float panel = 0;   // breadth, pixels; 0 until the first frame
     float canvas = 0;  // part of the breadth beside the panel
+    bool operator==(const Layout&) const = default;
 };
 
 struct Parts {
-    std::function<void()> panel;
+    std::function<void()> panel;  // empty: hidden
     std::function<void()> canvas;
     std::function<void()> preview;
     std::function<void()> status;

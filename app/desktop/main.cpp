@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <string>
@@ -34,8 +35,11 @@ void run(const Arguments& arguments) {
     nacre::KeyLatch keys(window.handle());
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     {
-        nacre::Designer designer;
+        const auto variable = [](const char* name) { return std::getenv(name); };
+        nacre::Designer designer(
+            {.folders = nacre::user_folders(variable), .dialogs = nacre::find_dialog_program(variable)});
         designer.document = std::move(document);
+        if (!designer.document.file.empty()) designer.recent.note(designer.document.file);
         nacre::Pace pace;
         while (!designer.files.may_quit()) {
             const bool due = pace.wait(nacre::in_motion(designer));
@@ -44,7 +48,7 @@ void run(const Arguments& arguments) {
             session.new_frame();
             ImGui_ImplGlfw_NewFrame();
             keys.press_missed();
-            for (const std::string& file : keys.take_dropped()) designer.pictures.offer(file);
+            for (const std::string& file : keys.take_dropped()) nacre::take_file(designer, file);
             ImGui::NewFrame();
             nacre::draw_frame(designer);
             keys.release_missed();
@@ -52,7 +56,9 @@ void run(const Arguments& arguments) {
             session.draw(window.framebuffer_size());
             window.swap();
             window.set_title(designer.document.title() + " \u2013 Nacre");
+            window.set_full_screen(designer.full_screen);
         }
+        nacre::finish(designer);
     }
     ImGui_ImplGlfw_Shutdown();
 }

@@ -17,7 +17,8 @@ Stage::Stage(const StageOptions& options)
     io.DeltaTime = 1.0f / 60;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;  // panels are resizable as in the window
     map_keys(io);
-    designer_ = std::make_unique<Designer>(options.bake_threads);
+    designer_ = std::make_unique<Designer>(DesignerOptions{
+        .bake_threads = options.bake_threads, .folders = options.folders, .dialogs = options.dialogs});
 }
 
 void Stage::frame(bool rasterise) {
@@ -103,7 +104,7 @@ void Stage::play(const Event& event, const std::string& file) {
     } else if (const auto* frames = std::get_if<events::Frames>(&event.what)) {
         for (int i = 0; i < frames->count; ++i) frame(false);
     } else if (const auto* drop = std::get_if<events::Drop>(&event.what)) {
-        designer_->pictures.offer(drop->file);
+        take_file(*designer_, drop->file);
         frame(false);
         frame(false);
     } else {

@@ -19,7 +19,9 @@ namespace nacre {
 struct StageOptions {
     glm::ivec2 size{1280, 800};
     float ui_scale = 1;
-    int bake_threads = 0;  // as many as the machine has
+    int bake_threads = 0;      // as many as the machine has
+    UserFolders folders = {};  // a test's own; without them nothing of the user's is read or kept
+    std::optional<DialogProgram> dialogs = {};
 };
 
 class Stage {

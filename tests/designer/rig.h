@@ -11,8 +11,8 @@ namespace nacre::test {
 struct Rig {
     Stage stage;
 
-    explicit Rig(int bake_threads = 1)
-        : stage({.size = {1280, 800}, .ui_scale = 1, .bake_threads = bake_threads}) {
+    explicit Rig(int bake_threads = 1) : Rig(StageOptions{.bake_threads = bake_threads}) {}
+    explicit Rig(const StageOptions& options) : stage(options) {
         stage.frame();
         stage.frame();
     }
