@@ -147,6 +147,11 @@ std::optional<Order> menu_bar(const MenuState& state) {
     return chosen;
 }
 
+void reserve_tab() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyMap[ImGuiKey_Tab] = io.WantTextInput ? parse_key("Tab")->key : -1;
+}
+
 std::optional<Order> pressed_shortcut() {
     if (ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown() ||
         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))

@@ -70,6 +70,10 @@ struct MenuState {
 // Draws the main menu bar; its height is ImGui::GetFrameHeight().
 std::optional<Order> menu_bar(const MenuState& state);
 
+// To be called at the end of each frame: Tab goes to the next field only while one is being typed in, else it
+// is a shortcut.
+void reserve_tab();
+
 // The command of a shortcut pressed in this frame; none while a text field has the keyboard, a mouse button
 // is down or something is popped up.
 std::optional<Order> pressed_shortcut();

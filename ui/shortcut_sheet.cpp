@@ -89,8 +89,10 @@ bool shortcut_sheet() {
     }
     const float width = ImGui::GetFontSize() * 7;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-    const bool closed = button("Close", nullptr, true, width) || is_pressed(*parse_key("Escape"), false) ||
-                        is_pressed(*parse_key("Enter"), false) || is_pressed(*parse_key("F1"), false);
+    bool closed = button("Close", nullptr, true, width);
+    // The key that opened it is still down in its first frame.
+    if (!ImGui::IsWindowAppearing())
+        for (const char* key : {"Escape", "Enter", "F1"}) closed |= is_pressed(*parse_key(key), false);
     end_dialog(closed);
     return !closed;
 }

@@ -24,13 +24,15 @@ constexpr std::chrono::milliseconds patience{25};  // for a draft, while nothing
 constexpr double probe_radius = 3;                 // degrees of normals that glow while nothing is painted
 
 void draw_presets(Designer& designer) {
-    std::vector<std::string> names;
+    designer.thumbnails.follow(designer.presets);
+    std::vector<ui::PresetTile> tiles;
     std::optional<std::size_t> current;
     for (std::size_t i = 0; i < designer.presets.size(); ++i) {
-        names.push_back(designer.presets[i].name);
-        if (designer.presets[i].file == designer.document.preset) current = i;
+        const Preset& preset = designer.presets[i];
+        tiles.push_back({preset.name, designer.thumbnails.texture(preset.file)});
+        if (preset.file == designer.document.preset) current = i;
     }
-    if (const auto clicked = ui::presets_panel(names, current))
+    if (const auto clicked = ui::presets_panel(tiles, current))
         designer.files.open_preset(designer.document, designer.presets[*clicked].file);
 }
 
@@ -109,19 +111,18 @@ void notice_rest(Designer& designer, const Distribution& shown) {
     designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
 }
 
-// Asks for tables of what is shown now. True when a draft is to come.
-bool ask(Designer& designer) {
+// Asks for tables of what is shown now.
+void ask(Designer& designer) {
     Design shown = designer.document.design;
     shown.distribution = ui::shown(designer.layers, shown.distribution);
     notice_rest(designer, shown.distribution);
-    return designer.baker.want(
+    designer.baker.want(
         {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
 }
 
 // A draft that comes within a moment is seen in the very frame of the edit that it answers.
 void follow_bake(Designer& designer) {
-    const bool draft = ask(designer);
-    if (auto tables = designer.baker.poll(draft ? patience : std::chrono::milliseconds(0))) {
+    if (auto tables = designer.baker.poll(patience)) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }
@@ -132,10 +133,17 @@ std::filesystem::path autosave_folder(const UserFolders& folders) {
 }
 
 void prepare_dialogs(Designer& designer) {
+    const auto dialogs = file_dialogs(designer);
     designer.files.remember({.settings = &designer.settings.values,
                              .recent = &designer.recent,
-                             .dialogs = file_dialogs(designer),
+                             .dialogs = dialogs,
                              .home = designer.options.folders.home});
+    designer.exporter.remember(&designer.settings.values, dialogs);
+    designer.pictures_of_preview.remember(&designer.settings.values, dialogs);
+}
+
+void tell(Designer& designer, const std::optional<std::string>& message) {
+    if (message) designer.files.tell(*message);
 }
 
 // One at a time.
@@ -148,6 +156,10 @@ void draw_dialogs(Designer& designer) {
         designer.files.restore(document, std::move(*found));
     else if (designer.sheet)
         designer.sheet = ui::shortcut_sheet();
+    else if (designer.exporter.talking())
+        tell(designer, designer.exporter.draw(document, designer.preview, designer.scene));
+    else if (designer.pictures_of_preview.talking() || designer.pictures_of_preview.in_motion())
+        tell(designer, designer.pictures_of_preview.draw(document, designer.preview, designer.scene));
     else
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
 }
@@ -168,12 +180,14 @@ Designer::Designer(const DesignerOptions& given)
       recovery(autosave_folder(options.folders)),
       baker(options.bake_threads),
       presets(list_presets(presets_folder())) {
+    if (!options.folders.data.empty())
+        for (Preset& own : list_presets(options.folders.data / "presets")) presets.push_back(std::move(own));
     recovery.look();
 }
 
 bool talking(const Designer& designer) {
     return designer.files.talking() || designer.pictures.talking() || designer.recovery.talking() ||
-           designer.sheet;
+           designer.exporter.talking() || designer.pictures_of_preview.talking() || designer.sheet;
 }
 
 void draw_frame(Designer& designer) {
@@ -184,8 +198,10 @@ void draw_frame(Designer& designer) {
     if (const auto order = ui::menu_bar(menu_state(designer))) perform(designer, *order);
 
     designer.canvas.state.marked = designer.preview.pointed_at();
+    // The bake of what was painted runs while the canvas is drawn.
+    const auto edited = [&] { ask(designer); };
     Parts parts{.panel = [&] { draw_panel(designer); },
-                .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
+                .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
                 .preview =
                     [&] {
                         follow_bake(designer);
@@ -200,10 +216,12 @@ void draw_frame(Designer& designer) {
     if (!ImGui::IsAnyItemActive()) document.commit();
     ask(designer);
     keep(designer);
+    ui::reserve_tab();
 }
 
 bool in_motion(const Designer& designer) {
-    return designer.baker.busy() || designer.autosave.busy() || designer.files.has_answer();
+    return designer.baker.busy() || designer.files.has_answer() || designer.exporter.in_motion() ||
+           designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();
 }
 
 void finish(Designer& designer) {

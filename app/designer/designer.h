@@ -11,14 +11,17 @@
 #include "app/designer/bake_job.h"
 #include "app/designer/canvas_pane.h"
 #include "app/designer/document.h"
+#include "app/designer/export_flow.h"
 #include "app/designer/file_flow.h"
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
 #include "app/designer/picture_drop.h"
+#include "app/designer/picture_taker.h"
 #include "app/designer/preview_pane.h"
 #include "app/designer/recent_files.h"
 #include "app/designer/recovery.h"
 #include "app/designer/settings.h"
+#include "app/designer/thumbnails.h"
 #include "app/designer/user_folders.h"
 #include "app/preview/scene.h"
 #include "ui/commands.h"
@@ -48,6 +51,9 @@ struct Designer {
     CanvasPane canvas;
     FileFlow files;
     PictureDrop pictures;
+    ExportFlow exporter;
+    PictureTaker pictures_of_preview;
+    Thumbnails thumbnails;
     bool panels = true;        // shown
     bool full_screen = false;  // wanted; the host makes it so
     bool sheet = false;        // of shortcuts, shown

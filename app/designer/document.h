@@ -28,6 +28,10 @@ struct Document {
     void redo();
     bool unsaved() const { return !history.saved() || design != history.current(); }
 
+    // What files made of it are named by: the file's name without its end, else the design's in small
+    // letters.
+    std::string stem() const;
+
     // "Satin \u2013 satin.nacre", with a dot before it while unsaved.
     std::string title() const;
 };

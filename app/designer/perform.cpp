@@ -50,6 +50,15 @@ bool perform_on_files(Designer& designer, ui::Order order) {
         case ui::Command::save_as:
             designer.files.save_as(document);
             return true;
+        case ui::Command::export_design:
+            designer.exporter.start();
+            return true;
+        case ui::Command::take_picture:
+            designer.pictures_of_preview.take();
+            return true;
+        case ui::Command::picture_folder:
+            designer.pictures_of_preview.choose_folder();
+            return true;
         case ui::Command::system_dialogs:
             designer.settings.values.system_dialogs = !designer.settings.values.system_dialogs;
             return true;

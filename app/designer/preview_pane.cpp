@@ -43,6 +43,11 @@ void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     stale_ = true;
 }
 
+RenderedImage PreviewPane::picture(const Scene& scene, glm::ivec2 size, bool linear) {
+    stale_ = true;  // it is drawn where the pane's own picture was
+    return picture_of(preview_, scene, size, linear);
+}
+
 void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool) {
     const ImVec2 size = ImGui::GetContentRegionAvail();
     if (size.x < 1 || size.y < 1) return;
@@ -96,15 +101,19 @@ void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImV
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     const double now = ImGui::GetTime();
     const bool changed = stale_ || scene != drawn_scene_ || size != drawn_size_;
-    if (changed) changed_at_ = now;
+    if (changed) {
+        changed_at_ = now;
+        last_motion_ = stale_ ? Motion::tables : Motion::scene;
+    }
     const bool moving = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
     const DrawQuality quality =
-        insist_on_best_ ? best_quality : choose_quality(seconds_a_sample_, size, moving);
+        insist_on_best_ ? best_quality
+                        : choose_quality(seconds_a_sample_, size, moving ? last_motion_ : Motion::none);
     if (changed || (quality != drawn_quality_ && (insist_on_best_ || !moving))) redraw(scene, size, quality);
 }
 
 void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality) {
-    const glm::ivec2 texels = glm::max(size / quality.divisor, glm::ivec2(1));
+    const glm::ivec2 texels = glm::max(glm::ivec2(glm::dvec2(size) / quality.divisor), glm::ivec2(1));
     const auto begin = std::chrono::steady_clock::now();
     preview_.draw(scene, texels, quality.supersample);
     glFinish();  // the time that drawing takes decides how finely the next picture is drawn

@@ -11,6 +11,7 @@
 
 #include "app/designer/draw_quality.h"
 #include "app/preview/preview.h"
+#include "app/preview/render.h"
 #include "app/preview/scene.h"
 #include "ui/brush_surface.h"
 
@@ -34,6 +35,10 @@ class PreviewPane {
     // From now on each picture is drawn as finely as can be, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }
 
+    // As it is shown, in another size: sRGB in [0, 1], or linear radiance. Only where there is a picture.
+    RenderedImage picture(const Scene& scene, glm::ivec2 size, bool linear);
+    glm::ivec2 size() const { return drawn_size_; }  // pixels
+
     bool has_picture() const { return !preview_.empty(); }
 
   private:
@@ -51,6 +56,7 @@ class PreviewPane {
     Scene drawn_scene_;
     glm::ivec2 drawn_size_{0};
     DrawQuality drawn_quality_;
+    Motion last_motion_ = Motion::none;
     double changed_at_ = 0;  // seconds on Dear ImGui's clock
     double seconds_a_sample_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "app/preview/preview.h"
 #include "app/preview/scene.h"
 #include "core/design/design.h"
 
@@ -14,6 +15,9 @@ struct RenderedImage {
     glm::ivec2 size{0};
     std::vector<float> rgb;  // top row first; sRGB in [0, 1], or linear radiance times exposure
 };
+
+// What the preview shows, with four samples a pixel.
+RenderedImage picture_of(Preview& preview, const Scene& scene, glm::ivec2 size, bool linear);
 
 // Four samples a pixel. Needs a current OpenGL 3.3 core context; throws what bake() throws.
 RenderedImage render_design(const Design& design, const Scene& scene, glm::ivec2 size, bool linear,

@@ -30,9 +30,10 @@ ExportWriter prepare_glsl(const Design& design, BakeOptions options, const std::
 }
 
 constexpr ExportFormat formats[] = {
-    {"exr", "a folder of tables as EXR pictures, with manifest.json", "", prepare_exr},
-    {"glsl", "one file with the function nacre_brdf(k1, k2) and its tables as constants", ".glsl",
-     prepare_glsl},
+    {"exr", "Tables as EXR pictures", "a folder of tables as EXR pictures, with manifest.json", "",
+     prepare_exr},
+    {"glsl", "GLSL function", "one file with the function nacre_brdf(k1, k2) and its tables as constants",
+     ".glsl", prepare_glsl},
 };
 
 }  // namespace

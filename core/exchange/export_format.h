@@ -17,6 +17,7 @@ using ExportWriter = std::function<void(const std::filesystem::path& output)>;
 
 struct ExportFormat {
     std::string_view name;       // as `nacre-cli export --to` takes it
+    std::string_view title;      // as a menu shows it
     std::string_view about;      // one line
     std::string_view extension;  // of its file; empty: it is a folder
     // Bakes, measures and composes what writes it. Throws what bake() throws.

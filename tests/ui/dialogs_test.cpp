@@ -137,7 +137,7 @@ TEST_CASE("shortcuts: each one, and none while text is typed") {
 }
 
 TEST_CASE("presets: a click returns the index") {
-    const std::vector<std::string> names = {"Gold", "Satin", "Velvet"};
+    const std::vector<ui::PresetTile> names = {{"Gold"}, {"Satin"}, {"Velvet"}};
     std::optional<std::size_t> clicked;
     PanelRig rig([&] {
         if (const auto now = ui::presets_panel(names, std::nullopt)) clicked = now;
