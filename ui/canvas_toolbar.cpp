@@ -215,13 +215,20 @@ void take_keys(CanvasState& state) {
         return;
     for (const ToolEntry& entry : tools)
         if (ImGui::IsKeyPressed(entry.key, false)) state.tool = entry.tool;
-    const double factor = ImGui::IsKeyPressed(']')   ? key_factor
-                          : ImGui::IsKeyPressed('[') ? 1 / key_factor
-                                                     : 1;
-    state.brush.radius = std::clamp(state.brush.radius * factor, brush_radius_least, brush_radius_most);
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> tool_shortcuts() {
+    std::vector<std::pair<std::string, std::string>> shortcuts;
+    for (const ToolEntry& entry : tools) shortcuts.emplace_back(std::string(1, entry.key), entry.name);
+    return shortcuts;
+}
+
+void resize_brush(CanvasState& state, int steps) {
+    state.brush.radius =
+        std::clamp(state.brush.radius * std::pow(key_factor, steps), brush_radius_least, brush_radius_most);
+}
 
 void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
     take_keys(state);

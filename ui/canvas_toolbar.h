@@ -1,13 +1,22 @@
 // The buttons above the canvas: tools, the brush's numbers, how p is shown.
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "ui/hemisphere_canvas.h"
 
 namespace nacre::ui {
 
-// Two rows, or more where the canvas is narrow. Takes the keys of the tools, and [ and ] for the brush's
-// radius.
+// Two rows, or more where the canvas is narrow. Takes the keys of the tools.
 void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen);
+
+// The tools' keys and names.
+std::vector<std::pair<std::string, std::string>> tool_shortcuts();
+
+// Makes the brush's radius larger by so many steps of a key, or smaller.
+void resize_brush(CanvasState& state, int steps);
 
 // Draws a tool's sign into a square.
 void draw_tool_icon(CanvasTool tool, ImVec2 corner, float side, ImU32 colour);

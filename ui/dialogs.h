@@ -24,20 +24,26 @@ using ListDirectory = std::function<Listing(const std::filesystem::path&)>;
 
 // A dialog is open for as long as this value lives.
 struct FileDialog {
-    enum class Purpose { open, save };
+    enum class Purpose { open, save, folder };
     Purpose purpose = Purpose::open;
     Listing listing;
     std::string path;     // as typed: absolute, or relative to the listing
     std::string problem;  // shown below the field
     bool take_focus = true;
-    std::string title = {};  // empty: those of a design
-    std::string hint = {};
+    std::string title = "Files";
+    std::string hint = "name or path of a file";
 };
 
 enum class DialogAnswer { none, accepted, cancelled };
 
-// While accepted, `chosen` holds an absolute path. A typed folder is entered instead of accepted.
+// While accepted, `chosen` holds an absolute path. A typed folder is entered instead of accepted, and where a
+// folder is asked for the one that is shown is accepted while nothing is typed.
 DialogAnswer file_dialog(FileDialog& dialog, const ListDirectory& list, std::filesystem::path& chosen);
+
+// A modal window in the middle, `ems` text sizes broad and as high as what it holds. Where this returns true
+// end_dialog() follows, which closes it where `done`.
+bool begin_dialog(const char* title, float ems);
+void end_dialog(bool done);
 
 // A modal question; returns the index of the pressed button. Escape presses the last one, Enter the first,
 // but while a number is typed into one of the `fields`, which stand between the text and the buttons.

@@ -13,9 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* title_of(const FileDialog& dialog) {
-    if (!dialog.title.empty()) return dialog.title.c_str();
-    return dialog.purpose == FileDialog::Purpose::open ? "Open design" : "Save design as";
+const char* accept_label(const FileDialog& dialog) {
+    switch (dialog.purpose) {
+        case FileDialog::Purpose::open:
+            return "Open##Accept";
+        case FileDialog::Purpose::save:
+            return "Save##Accept";
+        case FileDialog::Purpose::folder:
+            return "Use##Accept";
+    }
+    return "";
 }
 
 void enter(FileDialog& dialog, const ListDirectory& list, const fs::path& folder) {
@@ -66,7 +73,7 @@ bool entry_list(FileDialog& dialog, const ListDirectory& list) {
         }
     }
     if (dialog.listing.entries.empty())
-        dim_text(dialog.listing.problem.empty() ? "No designs here." : dialog.listing.problem);
+        dim_text(dialog.listing.problem.empty() ? "Nothing to choose here." : dialog.listing.problem);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
@@ -79,9 +86,8 @@ bool path_field(FileDialog& dialog) {
     if (dialog.take_focus) ImGui::SetKeyboardFocusHere();
     dialog.take_focus = false;
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const char* hint = dialog.hint.empty() ? "name or path of a .nacre file" : dialog.hint.c_str();
     const bool entered =
-        ImGui::InputTextWithHint("##path", hint, &dialog.path,
+        ImGui::InputTextWithHint("##path", dialog.hint.c_str(), &dialog.path,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     note_item("Path");
     ImGui::PushStyleColor(ImGuiCol_Text, palette::red);
@@ -94,8 +100,8 @@ DialogAnswer buttons(FileDialog& dialog) {
     const float width = ImGui::GetFontSize() * 7;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2 * width - ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
-    const char* label = dialog.purpose == FileDialog::Purpose::open ? "Open##Accept" : "Save##Accept";
-    const bool accept = button(label, nullptr, !dialog.path.empty(), width);
+    const bool enough = !dialog.path.empty() || dialog.purpose == FileDialog::Purpose::folder;
+    const bool accept = button(accept_label(dialog), nullptr, enough, width);
     ImGui::PopStyleColor();
     ImGui::SameLine();
     if (button("Cancel", nullptr, true, width) ||
@@ -111,7 +117,10 @@ DialogAnswer contents(FileDialog& dialog, const ListDirectory& list, fs::path& c
     DialogAnswer answer = buttons(dialog);
     if (double_clicked || entered) answer = DialogAnswer::accepted;
     if (answer != DialogAnswer::accepted) return answer;
-    if (dialog.path.empty()) return DialogAnswer::none;
+    if (dialog.path.empty()) {
+        chosen = dialog.listing.directory;
+        return dialog.purpose == FileDialog::Purpose::folder ? answer : DialogAnswer::none;
+    }
     chosen = (dialog.listing.directory / dialog.path).lexically_normal();
     const Listing as_folder = list(chosen);
     if (as_folder.problem.empty()) {
@@ -126,7 +135,7 @@ DialogAnswer contents(FileDialog& dialog, const ListDirectory& list, fs::path& c
 }  // namespace
 
 DialogAnswer file_dialog(FileDialog& dialog, const ListDirectory& list, fs::path& chosen) {
-    const char* title = title_of(dialog);
+    const char* title = dialog.title.c_str();
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     const float size = ImGui::GetFontSize();

@@ -1,23 +1,62 @@
 #include "ui/presets_panel.h"
 
-#include <imgui.h>
+#include <algorithm>
 
-#include "ui/list_row.h"
+#include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
+namespace {
 
-std::optional<std::size_t> presets_panel(std::span<const std::string> names,
+constexpr float tile_ems = 6.2f;  // least breadth, text sizes
+constexpr float name_lines = 2;
+
+// A picture with its name below. Returns whether it was clicked.
+bool tile(const PresetTile& shown, float breadth, bool chosen) {
+    const float line = ImGui::GetTextLineHeight(), pad = line * 0.3f;
+    const float picture = breadth - 2 * pad;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool clicked =
+        ImGui::InvisibleButton("tile", ImVec2(breadth, picture + name_lines * line + 3 * pad));
+    note_item("Preset " + shown.name);
+    tooltip_for_item(("Begin a new design as \u201c" + shown.name + "\u201d.").c_str());
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    if (chosen || ImGui::IsItemHovered())
+        list.AddRectFilled(low, high, ImGui::GetColorU32(chosen ? palette::accent_dim : palette::field),
+                           style.FrameRounding);
+    const ImVec2 corner(low.x + pad, low.y + pad), end(corner.x + picture, corner.y + picture);
+    if (shown.picture != nullptr)
+        list.AddImageRounded(shown.picture, corner, end, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE,
+                             style.FrameRounding);
+    else
+        list.AddRectFilled(corner, end, ImGui::GetColorU32(palette::canvas), style.FrameRounding);
+    const char* name = shown.name.c_str();
+    const ImVec2 text = ImGui::CalcTextSize(name, nullptr, false, picture);
+    list.PushClipRect(low, high, true);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
+                 {low.x + (breadth - std::min(text.x, picture)) / 2, end.y + pad},
+                 ImGui::GetColorU32(palette::text), name, nullptr, picture);
+    list.PopClipRect();
+    return clicked;
+}
+
+}  // namespace
+
+std::optional<std::size_t> presets_panel(std::span<const PresetTile> tiles,
                                          std::optional<std::size_t> current) {
     std::optional<std::size_t> clicked;
-    if (names.empty()) dim_text("No presets were found.");
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, scaled(3)));
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    if (tiles.empty()) dim_text("No presets were found.");
+    const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const int columns = std::max(1, static_cast<int>((room + gap) / (tile_ems * ImGui::GetFontSize() + gap)));
+    const float breadth = (room + gap) / static_cast<float>(columns) - gap;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
         ImGui::PushID(static_cast<int>(i));
-        if (list_row(("Preset " + names[i]).c_str(),
-                     {.text = names[i], .at_right = {}, .chosen = current == i}))
-            clicked = i;
+        if (tile(tiles[i], breadth, current == i)) clicked = i;
         ImGui::PopID();
     }
     ImGui::PopStyleVar();

@@ -1,5 +1,7 @@
-// The designs that come with the program.
+// The designs that come with the program, and the user's own, as a wall of pictures.
 #pragma once
+
+#include <imgui.h>
 
 #include <cstddef>
 #include <optional>
@@ -8,8 +10,13 @@
 
 namespace nacre::ui {
 
-// Returns the index of the clicked name; `current` is marked.
-std::optional<std::size_t> presets_panel(std::span<const std::string> names,
+struct PresetTile {
+    std::string name;
+    ImTextureID picture = nullptr;  // square; null while there is none
+};
+
+// Returns the index of the clicked tile; `current` is marked.
+std::optional<std::size_t> presets_panel(std::span<const PresetTile> tiles,
                                          std::optional<std::size_t> current);
 
 }  // namespace nacre::ui

@@ -8,21 +8,31 @@
 
 namespace nacre::ui {
 
-std::optional<int> question(const char* title, const std::string& text,
-                            const std::vector<std::string>& buttons, const std::function<void()>& fields) {
+bool begin_dialog(const char* title, float ems) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-    const ImVec2 centre = ImGui::GetMainViewport()->GetCenter();
-    ImGui::SetNextWindowPos(centre, ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    const float button_width = ImGui::GetFontSize() * 7;
-    const auto count = static_cast<float>(buttons.size());
-    const float total = count * button_width + (count - 1) * ImGui::GetStyle().ItemSpacing.x;
-    const float width = std::max(ImGui::GetFontSize() * 28, total + scaled(36));
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(viewport.GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    const float width = std::min(ImGui::GetFontSize() * ems, viewport.Size.x * 0.95f);
     ImGui::SetNextWindowSize(ImVec2(width, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(18), scaled(16)));
     const bool open =
         ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
     ImGui::PopStyleVar();
-    if (!open) return std::nullopt;
+    return open;
+}
+
+void end_dialog(bool done) {
+    if (done) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+std::optional<int> question(const char* title, const std::string& text,
+                            const std::vector<std::string>& buttons, const std::function<void()>& fields) {
+    const float button_width = ImGui::GetFontSize() * 7;
+    const auto count = static_cast<float>(buttons.size());
+    const float total = count * button_width + (count - 1) * ImGui::GetStyle().ItemSpacing.x;
+    if (!begin_dialog(title, std::max(28.0f, (total + scaled(36)) / ImGui::GetFontSize())))
+        return std::nullopt;
     std::optional<int> answer;
     const bool typing = ImGui::GetIO().WantTextInput;
     ImGui::TextWrapped("%s", text.c_str());
@@ -42,8 +52,7 @@ std::optional<int> question(const char* title, const std::string& text,
     if (!typing && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = 0;
     if (!typing && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false))
         answer = static_cast<int>(buttons.size()) - 1;
-    if (answer) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    end_dialog(answer.has_value());
     return answer;
 }
 

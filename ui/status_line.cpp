@@ -47,7 +47,12 @@ void status_line(const Status& status) {
         "between the nodes: of the projected area g, in parts of itself, and of the albedo R, in parts of "
         "the "
         "light that falls in.");
-    right_aligned(status.message, status.kept_free);
+    if (!status.warning.empty()) ImGui::PushStyleColor(ImGuiCol_Text, palette::amber);
+    right_aligned(status.warning.empty() ? status.message : status.warning, status.kept_free);
+    if (!status.warning.empty()) {
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) tooltip(status.warning.c_str());
+    }
     ImGui::PopStyleColor();
 }
 

@@ -9,6 +9,7 @@ struct Status {
     std::string tables;   // what the shown tables are
     std::string message;  // the last thing that happened, for instance "Saved satin.nacre"
     std::string problem;  // in plain words; stands before everything else
+    std::string warning;  // what should be known though the work goes on; in place of the message
     bool working = false;
     float kept_free = 0;  // breadth at the right end, pixels
 };

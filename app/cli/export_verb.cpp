@@ -1,16 +1,14 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
-#include "app/cli/table_output.h"
+#include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "core/design/design_file.h"
-#include "core/exchange/atomic_file.h"
-#include "core/exchange/glsl_export.h"
+#include "core/exchange/export_format.h"
 
 namespace nacre::cli {
 namespace {
@@ -23,31 +21,10 @@ struct ExportOptions {
     BakeOptions bake = {};
 };
 
-struct Format {
-    const char* name;
-    const char* about;
-    void (*write)(const ExportOptions& options, Interrupt& interrupt);
-};
-
-void write_exr_tables(const ExportOptions& options, Interrupt& interrupt) {
-    write_tables(options.design, options.output, options.bake, interrupt);
-}
-
-void write_glsl(const ExportOptions& options, Interrupt& interrupt) {
-    const Design design = load_design(options.design);
-    const auto tables = bake_design(design, options.design, options.bake, interrupt);
-    const std::string text = about_file(options.design, [&] { return glsl_export(design, *tables); });
-    interrupt.write_files([&] { write_file_atomically(options.output, text); });
-}
-
-constexpr Format formats[] = {
-    {"exr", "a folder of tables as EXR pictures, with manifest.json", write_exr_tables},
-    {"glsl", "one file with the function nacre_brdf(k1, k2) and its tables as constants", write_glsl},
-};
-
 std::string list_of_formats() {
     std::string text;
-    for (const Format& format : formats) text += fmt::format("{:<6} {}\n", format.name, format.about);
+    for (const ExportFormat& format : export_formats())
+        text += fmt::format("{:<6} {}\n", format.name, format.about);
     return text;
 }
 
@@ -56,12 +33,17 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
         write_output(list_of_formats());
         return 0;
     }
-    const auto format = std::find_if(std::begin(formats), std::end(formats),
-                                     [&](const Format& f) { return options.format == f.name; });
-    if (format == std::end(formats))
+    const ExportFormat* format = export_format(options.format);
+    if (format == nullptr)
         throw std::runtime_error("export --to " + options.format +
                                  ": this format has not arrived yet; see export --list");
-    format->write(options, interrupt);
+    const Design design = load_design(options.design);
+    const ExportWriter write = about_file(options.design, [&] {
+        Progress progress("baking");
+        return format->prepare(design, options.bake, interrupt.token(),
+                               [&](double done) { progress.report(done); });
+    });
+    interrupt.write_files([&] { write(options.output); });
     return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <exception>
 #include <utility>
 
 #include "core/design/design_check.h"
@@ -40,17 +39,6 @@ void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeReq
 }  // namespace
 
 void give_way() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness); }
-
-std::string plain_words(const std::exception_ptr& error) {
-    try {
-        std::rethrow_exception(error);
-    } catch (const UserError& refused) {
-        const std::string where = refused.where.empty() ? "" : refused.where + ": ";
-        return where + refused.problem + (refused.found.empty() ? "" : " (" + refused.found + ")");
-    } catch (const std::exception& other) {
-        return other.what();
-    }
-}
 
 BakeJob::BakeJob(int threads, std::function<void()> notify)
     : job_(

@@ -6,11 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "app/designer/perform.h"
 #include "app/designer/scene_panel.h"
 #include "app/designer/status.h"
 #include "ui/item_map.h"
 #include "ui/material_panel.h"
 #include "ui/presets_panel.h"
+#include "ui/shortcut_sheet.h"
 #include "ui/status_line.h"
 #include "ui/term_bar.h"
 #include "ui/widgets.h"
@@ -24,13 +26,15 @@ constexpr std::chrono::milliseconds first_patience{500};  // frames without a pi
 constexpr double probe_radius = 3;  // degrees of normals that glow while nothing is painted
 
 void draw_presets(Designer& designer) {
-    std::vector<std::string> names;
+    designer.thumbnails.follow(designer.presets);
+    std::vector<ui::PresetTile> tiles;
     std::optional<std::size_t> current;
     for (std::size_t i = 0; i < designer.presets.size(); ++i) {
-        names.push_back(designer.presets[i].name);
-        if (designer.presets[i].file == designer.document.preset) current = i;
+        const Preset& preset = designer.presets[i];
+        tiles.push_back({preset.name, designer.thumbnails.texture(preset.file)});
+        if (preset.file == designer.document.preset) current = i;
     }
-    if (const auto clicked = ui::presets_panel(names, current))
+    if (const auto clicked = ui::presets_panel(tiles, current))
         designer.files.open_preset(designer.document, designer.presets[*clicked].file);
 }
 
@@ -122,10 +126,19 @@ void draw_preview(Designer& designer) {
     designer.objects.draw(designer.scene);
 }
 
+// What could not be kept: it stands before the last thing done.
+std::string warning(const Designer& designer) {
+    if (!designer.autosave.problem().empty())
+        return "Unsaved work cannot be kept: " + designer.autosave.problem();
+    if (!designer.settings.problem().empty()) return designer.settings.problem();
+    return designer.recent.problem();
+}
+
 void draw_status(Designer& designer) {
     ui::status_line({.tables = designer.tables_text,
                      .message = designer.files.message(),
                      .problem = designer.baker.problem(),
+                     .warning = warning(designer),
                      .working = designer.baker.busy(),
                      .kept_free = ui::plots_switch_width() + 2 * ImGui::GetFontSize()});
     ui::plots_switch(designer.plots.state);
@@ -167,94 +180,117 @@ void follow_bake(Designer& designer) {
     }
 }
 
+std::filesystem::path autosave_folder(const UserFolders& folders) {
+    return folders.state.empty() ? folders.state : folders.state / "unsaved";
+}
+
+void prepare_dialogs(Designer& designer) {
+    const auto dialogs = file_dialogs(designer);
+    designer.files.remember({.settings = &designer.settings.values,
+                             .recent = &designer.recent,
+                             .dialogs = dialogs,
+                             .home = designer.options.folders.home});
+    designer.exporter.remember(&designer.settings.values, dialogs);
+    designer.pictures_of_preview.remember(&designer.settings.values, dialogs);
+}
+
+void tell(Designer& designer, const std::optional<std::string>& message) {
+    if (message) designer.files.tell(*message);
+}
+
+// One at a time.
+void draw_dialogs(Designer& designer) {
+    Document& document = designer.document;
+    designer.files.draw(document);
+    if (auto restored = designer.files.take_restored()) designer.autosave.take_over(std::move(*restored));
+    if (designer.files.talking()) return;
+    if (auto found = designer.recovery.draw())
+        designer.files.restore(document, std::move(*found));
+    else if (designer.sheet)
+        designer.sheet = ui::shortcut_sheet();
+    else if (designer.exporter.talking())
+        tell(designer, designer.exporter.draw(document, designer.preview, designer.scene));
+    else if (designer.pictures_of_preview.talking() || designer.pictures_of_preview.in_motion())
+        tell(designer, designer.pictures_of_preview.draw(document, designer.preview, designer.scene));
+    else if (designer.plots.saving.talking())
+        tell(designer, designer.plots.saving.draw());
+    else if (designer.objects.talking())
+        designer.objects.talk();
+    else
+        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+    if (auto surroundings = designer.pictures.take_surroundings())
+        designer.environment.want(surroundings->string());
+}
+
+// On the disk: the newest step of undo at once, the settings while no border is dragged.
+void keep(Designer& designer) {
+    designer.autosave.follow(designer.document);
+    if (!ImGui::IsAnyMouseDown()) designer.settings.keep();
+}
+
 }  // namespace
 
-Designer::Designer(int bake_threads, std::function<void()> wake)
-    : baker(bake_threads, wake), comparison(bake_threads, wake), presets(list_presets(presets_folder())) {}
+Designer::Designer(const DesignerOptions& given)
+    : options(given),
+      settings(options.folders.config),
+      recent(options.folders.state),
+      autosave(autosave_folder(options.folders)),
+      recovery(autosave_folder(options.folders)),
+      baker(options.bake_threads, options.wake),
+      comparison(options.bake_threads, options.wake),
+      presets(list_presets(presets_folder())) {
+    if (!options.folders.data.empty())
+        for (Preset& own : list_presets(options.folders.data / "presets")) presets.push_back(std::move(own));
+    recovery.look();
+}
+
+bool talking(const Designer& designer) {
+    return designer.files.talking() || designer.pictures.talking() || designer.recovery.talking() ||
+           designer.exporter.talking() || designer.pictures_of_preview.talking() || designer.sheet ||
+           designer.environment.talking() || designer.objects.talking() || designer.plots.saving.talking();
+}
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;
+    prepare_dialogs(designer);
     // The first tables are baked while the rest of the first frame is drawn.
     if (!designer.preview.has_picture()) ask(designer);
-    if (!designer.files.talking() && !designer.pictures.talking() && !designer.environment.talking() &&
-        !designer.objects.talking() && !designer.plots.saving.talking())
-        if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
-    const ui::MenuState menu{.can_undo = document.history.can_undo(),
-                             .can_redo = document.history.can_redo(),
-                             .title = document.title()};
-    if (const auto command = ui::menu_bar(menu)) perform(designer, *command);
+    if (!talking(designer))
+        if (const auto order = ui::pressed_shortcut()) perform(designer, *order);
+    if (const auto order = ui::menu_bar(menu_state(designer))) perform(designer, *order);
 
     designer.canvas.state.marked = designer.preview.pointed_at();
     // The bake of what was painted runs while the canvas is drawn.
     const auto edited = [&] { ask(designer); };
-    std::function<void()> drawer;
-    if (designer.plots.state.open) drawer = [&] { designer.plots.draw(plot_name(document)); };
-    draw_layout(designer.layout,
-                {.panel = [&] { draw_panel(designer); },
-                 .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
-                 .preview =
-                     [&] {
-                         follow_bake(designer);
-                         draw_preview(designer);
-                     },
-                 .status = [&] { draw_status(designer); },
-                 .drawer = drawer});
-    designer.files.draw(document);
-    if (!designer.files.talking())
-        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
-    if (auto surroundings = designer.pictures.take_surroundings())
-        designer.environment.want(surroundings->string());
+    Parts parts{.panel = [&] { draw_panel(designer); },
+                .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
+                .preview =
+                    [&] {
+                        follow_bake(designer);
+                        draw_preview(designer);
+                    },
+                .status = [&] { draw_status(designer); }};
+    if (!designer.panels) parts.panel = nullptr;
+    draw_layout(designer.settings.values.layout, parts);
+    draw_dialogs(designer);
     designer.environment.draw(designer.scene.environment);
-
-    if (!designer.files.talking())
-        if (auto done = designer.plots.saving.draw()) designer.files.tell(std::move(*done));
-    if (!designer.files.talking() && !designer.pictures.talking()) designer.objects.talk();
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
     ask(designer);
-}
-
-void take_file(Designer& designer, const std::filesystem::path& file) {
-    if (names_object(file.string()))
-        designer.objects.want(file.string());
-    else
-        designer.pictures.offer(file);
-}
-
-void perform(Designer& designer, ui::Command command) {
-    Document& document = designer.document;
-    switch (command) {
-        case ui::Command::new_design:
-            designer.files.start_new(document);
-            break;
-        case ui::Command::open:
-            designer.files.start_open(document);
-            break;
-        case ui::Command::save:
-            designer.files.save(document);
-            break;
-        case ui::Command::save_as:
-            designer.files.save_as(document);
-            break;
-        case ui::Command::undo:
-            document.undo();
-            break;
-        case ui::Command::redo:
-            document.redo();
-            break;
-        case ui::Command::quit:
-            designer.files.quit(document);
-            break;
-        case ui::Command::reset_camera:
-            reset_camera(designer.scene);
-            break;
-    }
+    keep(designer);
+    ui::reserve_tab();
 }
 
 bool in_motion(const Designer& designer) {
     return !designer.settled || designer.environment.busy() || designer.objects.busy() ||
-           designer.preview.gathering();
+           designer.preview.gathering() || designer.files.has_answer() || designer.exporter.in_motion() ||
+           designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();
+}
+
+void finish(Designer& designer) {
+    designer.settings.keep();
+    designer.autosave.finish();
 }
 
 }  // namespace nacre

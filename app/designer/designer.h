@@ -4,32 +4,52 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/designer/autosave.h"
 #include "app/designer/bake_job.h"
 #include "app/designer/canvas_pane.h"
 #include "app/designer/comparison.h"
 #include "app/designer/document.h"
 #include "app/designer/environment_panel.h"
+#include "app/designer/export_flow.h"
 #include "app/designer/file_flow.h"
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
 #include "app/designer/object_chooser.h"
 #include "app/designer/picture_drop.h"
+#include "app/designer/picture_taker.h"
 #include "app/designer/plots_pane.h"
 #include "app/designer/preview_pane.h"
+#include "app/designer/recent_files.h"
+#include "app/designer/recovery.h"
+#include "app/designer/settings.h"
+#include "app/designer/thumbnails.h"
+#include "app/designer/user_folders.h"
 #include "app/preview/scene.h"
 #include "ui/commands.h"
 #include "ui/layers_panel.h"
 
 namespace nacre {
 
-struct Designer {
-    // 0 threads: as many as the machine has. The worker gives way to drawing by its nice level, and
-    // calls `wake` on its own thread when a frame would show something new.
-    explicit Designer(int bake_threads = 0, std::function<void()> wake = {});
+struct DesignerOptions {
+    int bake_threads = 0;                       // 0: as many as the machine has
+    UserFolders folders = {};                   // without them nothing of the user's is read or kept
+    std::optional<DialogProgram> dialogs = {};  // for files; without one Nacre's own browser asks
+    std::function<void()> wake = {};  // called on a worker's thread when a frame would show something new
+};
 
+struct Designer {
+    // The worker gives way to drawing by its nice level.
+    explicit Designer(const DesignerOptions& options = {});
+
+    DesignerOptions options;
+    SettingsFile settings;
+    RecentFiles recent;
+    Autosave autosave;
+    Recovery recovery;
     Document document;
     Scene scene;
     BakeJob baker;
@@ -41,7 +61,12 @@ struct Designer {
     EnvironmentPanel environment;
     PlotsPane plots;
     ObjectChooser objects;
-    Layout layout;
+    ExportFlow exporter;
+    PictureTaker pictures_of_preview;
+    Thumbnails thumbnails;
+    bool panels = true;        // shown
+    bool full_screen = false;  // wanted; the host makes it so
+    bool sheet = false;        // of shortcuts, shown
     ui::LayersView layers;
     std::vector<Preset> presets;
     Distribution last_shown;  // p of the frame before, ...
@@ -49,17 +74,25 @@ struct Designer {
     bool settled = true;      // ... and whether it rests, so that final tables are worth their time
     std::shared_ptr<const Tables> tables;  // that the preview shows
     std::string tables_text;               // the shown tables, for the status line
+    std::optional<ui::CanvasTool> tool_before_erase;
 };
 
 // Draws one frame and acts on its input. Never waits for the worker.
 void draw_frame(Designer& designer);
 
-// A file was dropped on the window.
+void perform(Designer& designer, ui::Order order);
+
+// A file came from outside, by a drop or by the command line: a design is opened, with the question where
+// work would be lost; a picture asks what it is for.
 void take_file(Designer& designer, const std::filesystem::path& file);
 
-void perform(Designer& designer, ui::Command command);
+// Whether a dialog has the keyboard.
+bool talking(const Designer& designer);
 
 // Whether the next frame will differ without any input or call of `wake`.
 bool in_motion(const Designer& designer);
+
+// The clean end, once files.may_quit(): nothing is left to recover.
+void finish(Designer& designer);
 
 }  // namespace nacre

@@ -1,5 +1,6 @@
 #include "app/designer/document.h"
 
+#include <cctype>
 #include <utility>
 
 namespace nacre {
@@ -28,6 +29,20 @@ void Document::redo() {
     commit();
     history.redo();
     design = history.current();
+}
+
+std::string Document::stem() const {
+    if (!file.empty()) return file.stem().string();
+    std::string text;
+    for (const char c : design.name) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (std::isalnum(letter) != 0)
+            text += static_cast<char>(std::tolower(letter));
+        else if (!text.empty() && text.back() != '-')
+            text += '-';
+    }
+    while (text.ends_with('-')) text.pop_back();
+    return text.empty() ? "untitled" : text;
 }
 
 std::string Document::title() const {

@@ -19,11 +19,18 @@ struct Document {
 
     explicit Document(Design start = starter_design(), std::filesystem::path from = {});
 
+    // From now on it differs from what is on the disk, whatever it is.
+    void mark_unsaved() { history.mark_unsaved(); }
+
     // Ends the present edit: one step of undo, if anything changed.
     void commit();
     void undo();
     void redo();
     bool unsaved() const { return !history.saved() || design != history.current(); }
+
+    // What files made of it are named by: the file's name without its end, else the design's in small
+    // letters.
+    std::string stem() const;
 
     // "Satin \u2013 satin.nacre", with a dot before it while unsaved.
     std::string title() const;

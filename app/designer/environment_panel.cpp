@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 ui::Listing list_pictures(const fs::path& folder) {
-    return list_files(folder, {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"});
+    return list_folder(folder, {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"});
 }
 
 std::string reason_of(const std::exception_ptr& error) {
@@ -89,7 +89,9 @@ void EnvironmentPanel::rows(Surroundings& surroundings) {
             dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::open,
                                      .listing = list_pictures(fs::path(last_file_).parent_path()),
                                      .path = {},
-                                     .problem = {}};
+                                     .problem = {},
+                                     .title = "Open surroundings",
+                                     .hint = "name or path of a picture by latitude and longitude"};
         } else if (chosen == 0) {
             surroundings.picture.reset();
             wanted_.reset();

@@ -6,8 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "app/designer/autosave.h"
 #include "app/designer/document.h"
-#include "ui/dialogs.h"
+#include "app/designer/file_chooser.h"
+#include "app/designer/recent_files.h"
+#include "app/designer/settings.h"
 
 namespace nacre {
 
@@ -18,34 +21,59 @@ class FileFlow {
     void start_open(Document& document);
     void open_file(Document& document, const std::filesystem::path& file);
     void open_preset(Document& document, const std::filesystem::path& file);
+    // Work of another process: the document becomes it once what is unsaved may go, and take_restored() hands
+    // it out.
+    void restore(Document& document, LostAndFound found);
     void save(Document& document);
     void save_as(const Document& document);
     void quit(Document& document);
+
+    // What the conversation reads and remembers between runs; both outlive it.
+    struct Memory {
+        Settings* settings;
+        RecentFiles* recent;
+        std::optional<DialogProgram> dialogs;  // as the settings allow
+        std::filesystem::path home;
+    };
+    void remember(Memory memory) { memory_ = std::move(memory); }
 
     // Draws what is open and acts on the answers.
     void draw(Document& document);
 
     bool may_quit() const { return may_quit_; }
-    bool talking() const { return asking_unsaved_ || dialog_ || overwrite_ || !problem_.empty(); }
+    bool talking() const { return asking_unsaved_ || chooser_.open() || overwrite_ || !problem_.empty(); }
+    bool has_answer() const { return chooser_.has_answer(); }
     const std::string& message() const { return message_; }  // the last thing done
+    const std::string& problem() const { return problem_; }  // shown until it is read
     void tell(std::string message) { message_ = std::move(message); }
 
+    // Where dialogs begin: beside the document, else where the last design was.
+    std::filesystem::path folder(const Document& document) const;
+
+    // The restored work that the document has just become, once.
+    std::optional<LostAndFound> take_restored() { return std::exchange(restored_, std::nullopt); }
+
   private:
-    enum class Next { nothing, begin_new, show_open, open, open_preset, quit };
+    enum class Next { nothing, begin_new, show_open, open, open_preset, restore, quit };
 
     void lose_work_for(Next next, Document& document);
     void go_on(Document& document);
     void load(Document& document, bool as_preset);
+    void become_restored(Document& document);
     void write(Document& document, const std::filesystem::path& file);
+    void note(const std::filesystem::path& file);
     void draw_dialog(Document& document);
+    void draw_unsaved_question(Document& document);
     void draw_questions(Document& document);
 
+    Memory memory_{};
     Next next_ = Next::nothing;  // once the present design may go
     std::filesystem::path to_open_;
+    std::optional<LostAndFound> to_restore_, restored_;
     bool asking_unsaved_ = false;
-    std::optional<ui::FileDialog> dialog_;
+    FileChooser chooser_;
+    bool saving_ = false;  // what the chooser was asked for
     std::optional<std::filesystem::path> overwrite_;
-    std::filesystem::path last_folder_;
     std::string problem_;
     std::string message_;
     bool may_quit_ = false;

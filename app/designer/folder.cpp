@@ -29,9 +29,7 @@ std::string spoken(std::string name) {
 
 }  // namespace
 
-ui::Listing list_designs(const fs::path& folder) { return list_files(folder, {".nacre"}); }
-
-ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& endings) {
+ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& endings) {
     ui::Listing listing;
     std::error_code error;
     listing.directory = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
@@ -46,7 +44,8 @@ ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& e
         std::string ending = it->path().extension().string();
         std::transform(ending.begin(), ending.end(), ending.begin(),
                        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        if (is_directory || std::find(endings.begin(), endings.end(), ending) != endings.end())
+        if (is_directory || endings.empty() ||
+            std::find(endings.begin(), endings.end(), ending) != endings.end())
             listing.entries.push_back({name, is_directory});
     }
     if (error) listing.problem = error.message();
@@ -58,13 +57,22 @@ ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& e
 
 std::vector<Preset> list_presets(const fs::path& folder) {
     std::vector<Preset> presets;
-    const ui::Listing listing = list_designs(folder);
+    const ui::Listing listing = list_folder(folder);
     for (const auto& entry : listing.entries)
         if (!entry.is_directory) {
             const fs::path file = listing.directory / entry.name;
             presets.push_back({spoken(file.stem().string()), file});
         }
     return presets;
+}
+
+fs::path existing_folder(fs::path folder) {
+    std::error_code error;
+    while (!folder.empty() && !fs::is_directory(folder, error)) {
+        const fs::path above = folder.parent_path();
+        folder = above == folder ? fs::path() : above;
+    }
+    return folder;
 }
 
 fs::path presets_folder() {

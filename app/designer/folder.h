@@ -9,11 +9,12 @@
 
 namespace nacre {
 
-// Folders and designs, sorted, without hidden ones.
-ui::Listing list_designs(const std::filesystem::path& folder);
+inline constexpr const char* design_extension = ".nacre";
 
-// The same with files of any of these endings, in small letters, in place of designs.
-ui::Listing list_files(const std::filesystem::path& folder, const std::vector<std::string>& endings);
+// Folders and files of any of these endings, in small letters (of any at all, where there are none), sorted,
+// without hidden ones.
+ui::Listing list_folder(const std::filesystem::path& folder,
+                        const std::vector<std::string>& endings = {design_extension});
 
 struct Preset {
     std::string name;  // of the file, without ".nacre"
@@ -21,6 +22,9 @@ struct Preset {
 };
 
 std::vector<Preset> list_presets(const std::filesystem::path& folder);
+
+// The nearest folder above that exists; empty where none does.
+std::filesystem::path existing_folder(std::filesystem::path folder);
 
 // Seen from the program: below share/ where it is installed, else in the source tree it was built from.
 std::filesystem::path presets_folder();

@@ -125,18 +125,20 @@ void draw_columns(Layout& layout, const Parts& parts, ImVec2 window, float top, 
     const float em = ImGui::GetFontSize();
     const float widest = std::max(window.x * panel_most_part, 1.0f);
     const auto panel_breadth = [&](float ems) { return std::min(std::round(ems * em), widest); };
-    const float panel = panel_breadth(layout.panel), beside = std::max(window.x - panel, 2.0f);
+    const float panel = parts.panel ? panel_breadth(layout.panel) : 0,
+                beside = std::max(window.x - panel, 2.0f);
     const float breadth = std::round(beside * std::clamp(layout.canvas, canvas_least, canvas_most));
     const float below = drawer_height(layout, parts, height), upper = height - below;
     const Column canvas{panel, top, breadth, upper};
     const Column preview{panel + breadth, top, std::max(beside - breadth, 1.0f), upper};
-    draw_column("Panel", {0, top, panel, height}, parts.panel);
+    if (parts.panel) draw_column("Panel", {0, top, panel, height}, parts.panel);
     draw_picture_column("CanvasColumn", canvas, parts.canvas);
     draw_picture_column("PreviewColumn", preview, parts.preview);
     // After the preview, which takes in the newest tables.
     if (parts.drawer) draw_drawer(layout, parts, {panel, top + upper, beside, below});
-    if (const auto x = draw_border("Panel border", canvas, panel_breadth(usual.panel)))
-        layout.panel = std::clamp(*x / em, panel_least, panel_most);
+    if (parts.panel)
+        if (const auto x = draw_border("Panel border", canvas, panel_breadth(usual.panel)))
+            layout.panel = std::clamp(*x / em, panel_least, panel_most);
     if (const auto x = draw_border("Canvas border", preview, panel + beside * usual.canvas))
         layout.canvas = std::clamp((*x - panel) / beside, canvas_least, canvas_most);
 }

@@ -16,7 +16,7 @@ struct Layout {
 };
 
 struct Parts {
-    std::function<void()> panel;
+    std::function<void()> panel;  // empty: hidden
     std::function<void()> canvas;
     std::function<void()> preview;
     std::function<void()> status;

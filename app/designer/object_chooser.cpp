@@ -25,7 +25,7 @@ constexpr Entry entries[] = {
     {"tablecloth", "Tablecloth", "A cloth that has fallen over a round table. The grain is its weave."},
 };
 
-ui::Listing list_obj_files(const fs::path& folder) { return list_files(folder, {".obj"}); }
+ui::Listing list_obj_files(const fs::path& folder) { return list_folder(folder, {".obj"}); }
 
 bool choice(const char* label, const char* tooltip, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? ui::palette::accent_dim : ui::palette::window);
@@ -56,7 +56,9 @@ void ObjectChooser::draw(Scene& scene) {
         dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::open,
                                  .listing = list_obj_files(last_folder_),
                                  .path = {},
-                                 .problem = {}};
+                                 .problem = {},
+                                 .title = "Open object",
+                                 .hint = "name or path of an .obj file"};
     if (shelf_.busy()) {
         ImGui::SameLine(0, gap);
         ImGui::AlignTextToFramePadding();

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-ui::Listing list_plots(const fs::path& folder) { return list_files(folder, {".svg", ".csv"}); }
+ui::Listing list_plots(const fs::path& folder) { return list_folder(folder, {".svg", ".csv"}); }
 
 }  // namespace
 

@@ -38,6 +38,11 @@ void PreviewPane::show(std::shared_ptr<const Tables> tables) {
     stale_ = true;
 }
 
+RenderedImage PreviewPane::picture(const Scene& scene, glm::ivec2 size, bool linear) {
+    stale_ = true;  // it is drawn where the pane's own picture was
+    return picture_of(preview_, scene, size, linear);
+}
+
 void PreviewPane::show_side(int side, const std::optional<ComparedSurface>& surface) {
     compared_.show(side, surface);
     stale_ = true;

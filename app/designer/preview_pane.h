@@ -12,6 +12,7 @@
 #include "app/designer/compared_pictures.h"
 #include "app/designer/draw_quality.h"
 #include "app/preview/preview.h"
+#include "app/preview/render.h"
 #include "app/preview/scene.h"
 #include "ui/brush_surface.h"
 
@@ -41,6 +42,10 @@ class PreviewPane {
 
     // From now on each picture is drawn as finely as can be, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }
+
+    // As it is shown, in another size: sRGB in [0, 1], or linear radiance. Only where there is a picture.
+    RenderedImage picture(const Scene& scene, glm::ivec2 size, bool linear);
+    glm::ivec2 size() const { return drawn_size_; }  // pixels
 
     bool has_picture() const { return !preview_.empty(); }
 

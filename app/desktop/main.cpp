@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <string>
@@ -44,8 +45,12 @@ void run(const Arguments& arguments) {
     nacre::KeyLatch keys(window.handle());
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     {
-        nacre::Designer designer(0, nacre::Window::wake);
+        const auto variable = [](const char* name) { return std::getenv(name); };
+        nacre::Designer designer({.folders = nacre::user_folders(variable),
+                                  .dialogs = nacre::find_dialog_program(variable),
+                                  .wake = nacre::Window::wake});
         designer.document = std::move(document);
+        if (!designer.document.file.empty()) designer.recent.note(designer.document.file);
         nacre::Pace pace;
         reached("designer");
         while (!designer.files.may_quit()) {
@@ -56,7 +61,7 @@ void run(const Arguments& arguments) {
             session.new_frame();
             ImGui_ImplGlfw_NewFrame();
             keys.press_missed();
-            for (const std::string& file : keys.take_dropped()) take_file(designer, file);
+            for (const std::string& file : keys.take_dropped()) nacre::take_file(designer, file);
             ImGui::NewFrame();
             nacre::draw_frame(designer);
             keys.release_missed();
@@ -65,8 +70,10 @@ void run(const Arguments& arguments) {
             window.swap();
             if (arguments.time_start && designer.preview.has_picture()) break;
             window.set_title(designer.document.title() + " \u2013 Nacre");
+            window.set_full_screen(designer.full_screen);
         }
         reached("picture");
+        nacre::finish(designer);
     }
     ImGui_ImplGlfw_Shutdown();
 }

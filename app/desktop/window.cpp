@@ -15,6 +15,20 @@ std::runtime_error glfw_failure(const char* what) {
                               (reason != nullptr ? std::string(" (") + reason + ")" : ""));
 }
 
+// Null without any monitor.
+GLFWmonitor* monitor_under(glm::ivec2 point) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        glm::ivec2 low{0}, size{0};
+        glfwGetMonitorPos(monitors[i], &low.x, &low.y);
+        if (const GLFWvidmode* mode = glfwGetVideoMode(monitors[i])) size = {mode->width, mode->height};
+        const glm::ivec2 inside = point - low;
+        if (inside.x >= 0 && inside.y >= 0 && inside.x < size.x && inside.y < size.y) return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
 }  // namespace
 
 Window::Window(glm::ivec2 size, const std::string& title) : title_(title) {
@@ -66,6 +80,21 @@ void Window::set_title(const std::string& title) {
     if (title == title_) return;
     title_ = title;
     glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::set_full_screen(bool wanted) {
+    if (wanted == full_screen_) return;
+    full_screen_ = wanted;
+    if (!wanted) {
+        glfwSetWindowMonitor(window_, nullptr, place_.x, place_.y, size_.x, size_.y, GLFW_DONT_CARE);
+        return;
+    }
+    glfwGetWindowPos(window_, &place_.x, &place_.y);
+    glfwGetWindowSize(window_, &size_.x, &size_.y);
+    GLFWmonitor* monitor = monitor_under(place_ + size_ / 2);
+    if (monitor == nullptr) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 bool Window::take_close_request() {

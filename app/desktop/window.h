@@ -25,6 +25,8 @@ class Window {
     glm::ivec2 framebuffer_size() const;
 
     void set_title(const std::string& title);
+    // Over the whole monitor that most of the window is on, or back to where it was.
+    void set_full_screen(bool wanted);
     // The close button since the last call.
     bool take_close_request();
     void swap();
@@ -35,6 +37,8 @@ class Window {
   private:
     GLFWwindow* window_ = nullptr;
     std::string title_;
+    bool full_screen_ = false;
+    glm::ivec2 place_{0}, size_{0};  // before full screen
 };
 
 }  // namespace nacre

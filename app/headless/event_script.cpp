@@ -137,7 +137,7 @@ Event parse_line(Line& line) {
         event.what = events::Wheel{line.real("a number of notches")};
     } else if (verb == "key") {
         const std::string_view name = line.word("a key such as Ctrl+S");
-        const auto press = parse_key(name);
+        const auto press = ui::parse_key(name);
         if (!press) line.fail("needs a key such as Ctrl+S or Enter", name);
         event.what = events::Key{*press};
     } else if (verb == "text") {

@@ -49,7 +49,7 @@ struct Wheel {
     float notches = 0;
 };
 struct Key {
-    KeyPress press;
+    ui::KeyPress press;
 };
 struct Text {
     std::string utf8;

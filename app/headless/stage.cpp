@@ -21,7 +21,8 @@ Stage::Stage(const StageOptions& options)
     io.DeltaTime = 1.0f / 60;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;  // panels are resizable as in the window
     map_keys(io);
-    designer_ = std::make_unique<Designer>(options.bake_threads);
+    designer_ = std::make_unique<Designer>(DesignerOptions{
+        .bake_threads = options.bake_threads, .folders = options.folders, .dialogs = options.dialogs});
 }
 
 void Stage::frame(bool rasterise) {

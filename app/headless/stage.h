@@ -19,8 +19,10 @@ namespace nacre {
 struct StageOptions {
     glm::ivec2 size{1280, 800};  // pixels
     float ui_scale = 1;
-    float pixels_a_unit = 1;  // of the interface: more on screens whose units are not their pixels
-    int bake_threads = 0;     // as many as the machine has
+    float pixels_a_unit = 1;   // of the interface: more on screens whose units are not their pixels
+    int bake_threads = 0;      // as many as the machine has
+    UserFolders folders = {};  // a test's own; without them nothing of the user's is read or kept
+    std::optional<DialogProgram> dialogs = {};
 };
 
 class Stage {

@@ -1,6 +1,5 @@
 #include "app/preview/render.h"
 
-#include "app/preview/preview.h"
 #include "core/bake/bake.h"
 
 namespace nacre {
@@ -20,6 +19,10 @@ std::vector<float> upright(const std::vector<float>& texels, glm::ivec2 size) {
 }
 
 }  // namespace
+
+RenderedImage picture_of(Preview& preview, const Scene& scene, glm::ivec2 size, bool linear) {
+    return {size, upright(preview.picture(scene, size, supersample, linear, usual_samples), size)};
+}
 
 RenderedImage render_design(const Design& design, const Scene& scene, glm::ivec2 size, bool linear,
                             std::stop_token stop, const std::function<void(double)>& progress, int samples) {

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "app/preview/preview.h"
 #include "app/preview/scene.h"
 #include "core/design/design.h"
 #include "core/measure/opponent.h"
@@ -16,6 +17,9 @@ struct RenderedImage {
     glm::ivec2 size{0};
     std::vector<float> rgb;  // top row first; sRGB in [0, 1], or linear radiance times exposure
 };
+
+// What the preview shows, with four texels a pixel.
+RenderedImage picture_of(Preview& preview, const Scene& scene, glm::ivec2 size, bool linear);
 
 // Four texels a pixel, and `samples` a pixel of an environment's light. Needs a current OpenGL 3.3 core
 // context; throws what bake() throws.

@@ -63,6 +63,17 @@ UserError::UserError(std::string in_file, std::string at, std::string wrong, std
       problem(std::move(wrong)),
       found(std::move(seen)) {}
 
+std::string plain_words(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const UserError& refused) {
+        const std::string where = refused.where.empty() ? "" : refused.where + ": ";
+        return where + refused.problem + (refused.found.empty() ? "" : " (" + refused.found + ")");
+    } catch (const std::exception& other) {
+        return other.what();
+    }
+}
+
 std::string one_line(std::string_view text, std::size_t length_max) {
     std::string line;
     for (std::size_t characters = 0; !text.empty(); ++characters) {

@@ -2,6 +2,7 @@
 // programmer are asserts and never take this form.
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@ struct UserError : std::runtime_error {
     std::string problem;  // what is wrong, and what would be right
     std::string found;    // may be empty
 };
+
+// What was thrown, for a place that has named the file already: a UserError without its file, or what() of
+// anything else.
+std::string plain_words(const std::exception_ptr& error);
 
 // The text on one line of printable UTF-8: control characters and bytes that are not UTF-8 become
 // escapes, and what is longer than `length_max` characters ends in "...".

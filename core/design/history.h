@@ -26,6 +26,7 @@ class History {
     void redo();
 
     void mark_saved() { saved_ = current(); }
+    void mark_unsaved() { saved_.reset(); }
     bool saved() const { return saved_ == current(); }  // the current design equals the one on disk
 
   private:

@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int numbers_most = 99'999;
+
 [[noreturn]] void fail(const fs::path& file, const std::string& reason) {
     throw UserError(file.string(), "write", "the file cannot be written", reason);
 }
@@ -40,6 +42,23 @@ fs::path final_target(const fs::path& file) {
     if (!fs::is_regular_file(status)) fail(file, "it is not a regular file");
     if (::access(target.c_str(), W_OK) != 0) fail(file, system_reason(errno));
     return target;
+}
+
+struct Descriptor {
+    explicit Descriptor(int opened) : number(opened) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (number >= 0) ::close(number);
+    }
+    const int number;
+};
+
+// So that the new name outlives a power cut. Some file systems cannot, and the file is whole without it.
+void synchronise_folder(const fs::path& folder) {
+    const Descriptor opened(
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.number >= 0) ::fsync(opened.number);
 }
 
 // A file of its own beside `target`, removed unless it has become the target.
@@ -70,11 +89,28 @@ class TemporaryFile {
     const fs::path& path() const { return path_; }
 
     void become_target() {
+        synchronise();
         if (::rename(path_.c_str(), target_.c_str()) != 0) fail(file_, system_reason(errno));
         path_.clear();
+        synchronise_folder(target_.parent_path());
+    }
+
+    // Returns whether `name` was free.
+    bool become(const fs::path& name) {
+        synchronise();
+        if (!rename_if_free(path_, name)) return false;
+        path_.clear();
+        synchronise_folder(name.parent_path());
+        return true;
     }
 
   private:
+    // The bytes are on the disk before the name is: a full disk may show only here.
+    void synchronise() const {
+        const Descriptor written(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+        if (written.number < 0 || ::fsync(written.number) != 0) fail(file_, system_reason(errno));
+    }
+
     const fs::path& file_;
     const fs::path& target_;
     fs::path path_;
@@ -104,6 +140,30 @@ void write_file_atomically(const fs::path& file,
     TemporaryFile temporary(file, target);
     write(temporary.path());
     temporary.become_target();
+}
+
+fs::path write_numbered_file(const fs::path& folder, const std::string& stem, const std::string& extension,
+                             const std::function<void(const fs::path& temporary)>& write) {
+    const fs::path pattern = folder / (stem + extension);
+    TemporaryFile temporary(pattern, pattern);
+    write(temporary.path());
+    for (int number = 1; number <= numbers_most; ++number) {
+        fs::path name = folder / fmt::format("{}-{:03}{}", stem, number, extension);
+        std::error_code error;
+        if (fs::exists(fs::symlink_status(name, error))) continue;
+        if (temporary.become(name)) return name;
+        if (!fs::exists(fs::symlink_status(name, error))) fail(name, system_reason(errno));
+    }
+    fail(pattern, "every number has been taken");
+}
+
+bool rename_if_free(const fs::path& from, const fs::path& to) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+    // Where the file system has no such renaming, a second link does it as well.
+    if (errno != EINVAL && errno != ENOSYS) return false;
+    if (::link(from.c_str(), to.c_str()) != 0) return false;
+    ::unlink(from.c_str());
+    return true;
 }
 
 }  // namespace nacre

@@ -1,8 +1,10 @@
-// Files that appear whole or not at all: written beside their target under another name, then renamed.
+// Files that appear whole or not at all: written beside their target under another name, handed to the disk,
+// then renamed. Neither a program that is killed nor a machine that stops leaves half a file under the name.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace nacre {
@@ -15,5 +17,14 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view b
 // throws passes through, and the target stays as it was.
 void write_file_atomically(const std::filesystem::path& file,
                            const std::function<void(const std::filesystem::path& temporary)>& write);
+
+// As above, under the first free name of STEM-001EXTENSION, STEM-002EXTENSION, ... in the folder; never in
+// place of a file that is there. Returns the name taken.
+std::filesystem::path write_numbered_file(
+    const std::filesystem::path& folder, const std::string& stem, const std::string& extension,
+    const std::function<void(const std::filesystem::path& temporary)>& write);
+
+// Renames unless `to` exists or the system refuses; both lie on one file system. Returns whether it did.
+bool rename_if_free(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace nacre

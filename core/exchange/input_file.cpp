@@ -43,6 +43,18 @@ std::string read_text_file(const fs::path& file) {
     return text;
 }
 
+std::string read_first_line(const fs::path& file) {
+    if (const std::string problem = input_file_problem(file); !problem.empty())
+        throw UserError(file.string(), "open", "the file cannot be read", problem);
+    std::ifstream stream(file, std::ios::binary);
+    std::string line;
+    std::getline(stream, line);
+    if (stream.bad())
+        throw UserError(file.string(), "read", "the file cannot be read",
+                        std::generic_category().message(errno));
+    return line;
+}
+
 fs::path absolute_folder(const fs::path& folder) {
     std::error_code error;
     const fs::path absolute = fs::absolute(folder.empty() ? fs::path(".") : folder, error);

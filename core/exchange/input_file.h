@@ -14,6 +14,9 @@ std::string input_file_problem(const std::filesystem::path& file);
 // The whole file. What is wrong is a UserError about `file`, at `open` or `read`.
 std::string read_text_file(const std::filesystem::path& file);
 
+// Without its end; the same errors. A file with no line's end is its first line.
+std::string read_first_line(const std::filesystem::path& file);
+
 // The folder with symbolic links resolved, the current one when empty: `..` in a path relative to it
 // then means what it means to the system.
 std::filesystem::path absolute_folder(const std::filesystem::path& folder);

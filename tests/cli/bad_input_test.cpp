@@ -103,9 +103,8 @@ TEST_CASE("usage that is wrong is exit code 2 and one line; help and version are
 
 TEST_CASE("what has not arrived is an error that says so") {
     const DesignOnDisk design(design_of(GaussianLobe{}));
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"import", "x.obj", "-o", "y"},
-          {"export", design.path(), "--to", "merl", "-o", "x"}})
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"import", "x.obj", "-o", "y"},
+                                                      {"export", design.path(), "--to", "merl", "-o", "x"}})
         check_refused(run_cli(arguments), {"not arrived"});
 }
 

@@ -119,7 +119,6 @@ TEST_CASE("no pairs and no facets are none") {
     CHECK(sum_albedo(tables->shading, {0, 0, 1}, 1, 0, {})[0] == 0);
 }
 
-
 TEST_CASE("the density at many directions is that at each of them") {
     const auto property = [] {
         const FacetDistribution p(physical_design().distribution);

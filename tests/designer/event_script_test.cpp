@@ -50,7 +50,7 @@ TEST_CASE("event script: every event") {
     CHECK(std::get<events::Drag>(script.events[5].what).frames == 25);
     CHECK(std::get<events::Drag>(script.events[5].what).to == Place{"Preview", {0.5f, 0.5f}, false});
     CHECK(std::get<events::Wheel>(script.events[6].what).notches == -2);
-    CHECK(std::get<events::Key>(script.events[7].what).press == KeyPress{'S', true, true, false});
+    CHECK(std::get<events::Key>(script.events[7].what).press == ui::KeyPress{'S', true, true, false});
     CHECK(std::get<events::Text>(script.events[8].what).utf8 == "a \"quoted\" \\ word # here");
     CHECK(std::get<events::Frames>(script.events[9].what).count == 12);
     CHECK(script.events[10].line == 13);
@@ -81,11 +81,11 @@ TEST_CASE("event script: what is wrong is named with its line") {
 }
 
 TEST_CASE("keys: names and modifiers") {
-    CHECK(parse_key("Ctrl++") == KeyPress{'+', true, false, false});
-    CHECK(parse_key("a") == KeyPress{'A', false, false, false});
-    CHECK(parse_key("Alt+F12") == KeyPress{301, false, false, true});
-    CHECK(parse_key("Escape") == KeyPress{256, false, false, false});
-    CHECK(!parse_key(""));
-    CHECK(!parse_key("Ctrl+"));
-    CHECK(!parse_key("Ctrl+Nothing"));
+    CHECK(ui::parse_key("Ctrl++") == ui::KeyPress{'+', true, false, false});
+    CHECK(ui::parse_key("a") == ui::KeyPress{'A', false, false, false});
+    CHECK(ui::parse_key("Alt+F12") == ui::KeyPress{301, false, false, true});
+    CHECK(ui::parse_key("Escape") == ui::KeyPress{256, false, false, false});
+    CHECK(!ui::parse_key(""));
+    CHECK(!ui::parse_key("Ctrl+"));
+    CHECK(!ui::parse_key("Ctrl+Nothing"));
 }

@@ -111,7 +111,7 @@ TEST_CASE("question: buttons, Enter and Escape") {
 }
 
 TEST_CASE("shortcuts: each one, and none while text is typed") {
-    std::vector<ui::Command> pressed;
+    std::vector<ui::Order> pressed;
     std::string text;
     PanelRig rig([&] {
         if (const auto command = ui::pressed_shortcut()) pressed.push_back(*command);
@@ -130,7 +130,7 @@ TEST_CASE("shortcuts: each one, and none while text is typed") {
     rig.key('Q', true);
     rig.key('S');
     using enum ui::Command;
-    CHECK(pressed == std::vector{save, save_as, undo, redo, redo, new_design, open, quit});
+    CHECK(pressed == std::vector<ui::Order>{save, save_as, undo, redo, redo, new_design, open, quit});
     pressed.clear();
     rig.click("Field");
     rig.key('Z', true);
@@ -138,7 +138,7 @@ TEST_CASE("shortcuts: each one, and none while text is typed") {
 }
 
 TEST_CASE("presets: a click returns the index") {
-    const std::vector<std::string> names = {"Gold", "Satin", "Velvet"};
+    const std::vector<ui::PresetTile> names = {{"Gold"}, {"Satin"}, {"Velvet"}};
     std::optional<std::size_t> clicked;
     PanelRig rig([&] {
         if (const auto now = ui::presets_panel(names, std::nullopt)) clicked = now;

@@ -1,0 +1,82 @@
+// Unsaved work, kept after each step of undo where the next start finds it. docs/document.md tells the
+// format.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/designer/document.h"
+#include "app/designer/owned_folder.h"
+#include "core/bake/latest_job.h"
+
+namespace nacre {
+
+struct UnsavedWork {
+    Design design;
+    std::filesystem::path file;  // of the document; empty for one that was never saved
+    bool operator==(const UnsavedWork&) const = default;
+};
+
+// What another process left behind, and where.
+struct LostAndFound {
+    UnsavedWork work;
+    OwnedFolder folder;
+};
+
+inline constexpr const char* autosave_name = "unsaved.nacre";  // in the folder of its owner
+
+// The first line is JSON about the work, the rest is a design file.
+void write_autosave(const UnsavedWork& work, const std::filesystem::path& file);
+
+// Its first line alone.
+struct AutosaveHead {
+    std::string name;            // of the design
+    std::filesystem::path file;  // of the document
+};
+AutosaveHead read_autosave_head(const std::filesystem::path& file);
+
+// Whatever is wrong is a UserError about the file.
+UnsavedWork read_autosave(const std::filesystem::path& file);
+
+// Writes on a thread of its own, one file at a time; what is newest when a write ends is written next.
+class Autosave {
+  public:
+    // Each process has a folder of its own below this one, made with its first write. Empty: nothing is kept.
+    explicit Autosave(std::filesystem::path folder);
+
+    // Once a frame: begins to write the document's newest step, or to remove the file once there is nothing
+    // unsaved. Never waits.
+    void follow(const Document& document);
+
+    // Work of another process becomes this one's in a single step. Waits for the writer.
+    void take_over(LostAndFound found);
+
+    // The clean end: the file goes, whatever is unsaved. Waits for the writer.
+    void finish();
+
+    // Why the newest write failed, in one line; empty when it did not.
+    const std::string& problem() const { return problem_; }
+    bool busy() const { return job_.busy(); }
+    void wait() const { job_.wait(); }
+
+    // Counts of what is to be kept and of what has been.
+    std::uint64_t asked() const { return asked_; }
+    std::uint64_t kept() const { return kept_; }
+
+  private:
+    using Wanted = std::optional<UnsavedWork>;  // none: no file
+    void write(const Wanted& wanted);
+    void submit(Wanted wanted);
+
+    std::filesystem::path folder_;
+    std::optional<OwnedFolder> own_;  // only the worker uses it while it is busy
+    Wanted wanted_;
+    std::string problem_;
+    std::uint64_t asked_ = 0, kept_ = 0;
+    LatestJob<Wanted, bool> job_;
+};
+
+}  // namespace nacre

@@ -1,0 +1,167 @@
+#include "app/designer/export_flow.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "app/designer/folder.h"
+#include "core/exchange/export_format.h"
+#include "core/exchange/image_file.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int niceness = 10;  // of the work: drawing goes first
+
+struct PictureFormat {
+    const char* title;
+    const char* about;
+    const char* extension;
+    bool linear;
+};
+
+// Beside the formats of core, what only a window can write.
+constexpr PictureFormat pictures[] = {
+    {"Picture, PNG", "the preview as it looks: filmic curve, sRGB, 8 bits", ".png", false},
+    {"Picture, EXR", "the preview's linear radiance times the exposure, float", ".exr", true},
+};
+
+bool is_picture(std::size_t chosen) { return chosen >= export_formats().size(); }
+
+const PictureFormat& picture_format(std::size_t chosen) { return pictures[chosen - export_formats().size()]; }
+
+std::string extension_of(std::size_t chosen) {
+    return is_picture(chosen) ? picture_format(chosen).extension
+                              : std::string(export_formats()[chosen].extension);
+}
+
+// What writing there would replace, as a question; empty where nothing stands in the way.
+std::string replaced(const fs::path& output) {
+    std::error_code error;
+    if (!fs::exists(output, error)) return {};
+    if (!fs::is_directory(output, error)) return output.filename().string() + " exists already.";
+    if (fs::is_empty(output, error)) return {};
+    return output.filename().string() + " holds files already. Tables of the same names in it are replaced.";
+}
+
+}  // namespace
+
+ExportFlow::ExportFlow() {
+    for (const ExportFormat& format : export_formats())
+        dialog_.formats.push_back({std::string(format.title), std::string(format.about), false});
+    for (const PictureFormat& format : pictures)
+        dialog_.formats.push_back({format.title, format.about, true});
+}
+
+void ExportFlow::draw_options(const Document& document) {
+    const ui::DialogAnswer answer = ui::export_dialog(dialog_);
+    if (answer == ui::DialogAnswer::cancelled) step_ = Step::none;
+    if (answer == ui::DialogAnswer::accepted) ask_file(document);
+}
+
+void ExportFlow::ask_file(const Document& document) {
+    step_ = Step::file;
+    fs::path folder = existing_folder(settings_->export_folder);
+    if (folder.empty()) folder = existing_folder(document.file.parent_path());
+    if (folder.empty()) folder = existing_folder(settings_->design_folder);
+    const std::string extension = extension_of(dialog_.chosen);
+    const bool into_folder = extension.empty();
+    chooser_.ask({.purpose = into_folder ? ui::FileDialog::Purpose::folder : ui::FileDialog::Purpose::save,
+                  .title = into_folder ? "Export into a folder" : "Export as",
+                  .folder = folder,
+                  .name = document.stem() + (into_folder ? "-tables" : extension),
+                  .extension = extension},
+                 dialogs_);
+}
+
+void ExportFlow::draw_file(const Document& document, PreviewPane& preview, const Scene& scene) {
+    const auto answer = chooser_.draw();
+    if (!answer) return;
+    if (answer->chosen.empty()) {
+        step_ = Step::options;
+        return;
+    }
+    output_ = answer->chosen;
+    const std::string extension = extension_of(dialog_.chosen);
+    if (!extension.empty() && output_.extension() != extension) output_ += extension;
+    if (!replaced(output_).empty())
+        step_ = Step::replace;
+    else
+        begin(document, preview, scene);
+}
+
+void ExportFlow::draw_question(const Document& document, PreviewPane& preview, const Scene& scene) {
+    const auto answer = ui::question("Replace?", replaced(output_), {"Replace", "Cancel"});
+    if (!answer) return;
+    if (*answer == 0)
+        begin(document, preview, scene);
+    else
+        ask_file(document);
+}
+
+void ExportFlow::begin(const Document& document, PreviewPane& preview, const Scene& scene) {
+    step_ = Step::work;
+    settings_->export_folder = output_.parent_path();
+    const std::string done = "Exported " + output_.filename().string();
+    if (is_picture(dialog_.chosen)) {
+        const glm::ivec2 size(std::lround(dialog_.width), std::lround(dialog_.height));
+        const bool linear = picture_format(dialog_.chosen).linear;
+        task_.start(
+            [image = preview.picture(scene, size, linear), output = output_, done](const auto&, const auto&) {
+                write_image(output, image.size, image.rgb);
+                return done;
+            });
+        return;
+    }
+    const ExportFormat* format = &export_formats()[dialog_.chosen];
+    BakeOptions options;
+    options.tolerance = dialog_.tolerance;
+    task_.start(
+        [=, design = document.design, output = output_](const std::stop_token& stop, const auto& progress) {
+            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
+            const ExportWriter write = format->prepare(design, options, stop, progress);
+            if (stop.stop_requested()) return std::string();
+            write(output);
+            return done;
+        });
+}
+
+std::optional<std::string> ExportFlow::draw_work() {
+    if (const auto ended = task_.poll()) {
+        problem_ = ended->problem;
+        step_ = problem_.empty() ? Step::none : Step::problem;
+        return ended->message.empty() ? "The export was stopped" : ended->message;
+    }
+    if (ui::progress_dialog("Exporting", output_.filename().string(), task_.progress())) task_.cancel();
+    return {};
+}
+
+std::optional<std::string> ExportFlow::draw(const Document& document, PreviewPane& preview,
+                                            const Scene& scene) {
+    switch (step_) {
+        case Step::none:
+            break;
+        case Step::options:
+            draw_options(document);
+            break;
+        case Step::file:
+            draw_file(document, preview, scene);
+            break;
+        case Step::replace:
+            draw_question(document, preview, scene);
+            break;
+        case Step::work:
+            return draw_work();
+        case Step::problem:
+            if (ui::question("That did not work", problem_, {"OK"})) step_ = Step::none;
+            break;
+    }
+    return {};
+}
+
+}  // namespace nacre

@@ -1,0 +1,58 @@
+// Exporting as a conversation: the format and its options, the file, the question before something is
+// replaced, the work with its progress.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/designer/background_task.h"
+#include "app/designer/document.h"
+#include "app/designer/file_chooser.h"
+#include "app/designer/preview_pane.h"
+#include "app/designer/settings.h"
+#include "ui/export_dialog.h"
+
+namespace nacre {
+
+class ExportFlow {
+  public:
+    ExportFlow();
+
+    void start() { step_ = Step::options; }
+    void remember(Settings* settings, const std::optional<DialogProgram>& dialogs) {
+        settings_ = settings;
+        dialogs_ = dialogs;
+    }
+
+    // Draws what is open and acts on the answers. Returns what is to be told.
+    std::optional<std::string> draw(const Document& document, PreviewPane& preview, const Scene& scene);
+
+    bool talking() const { return step_ != Step::none; }
+    bool in_motion() const { return task_.busy() || chooser_.has_answer(); }
+    ui::ExportDialog& options() { return dialog_; }
+    const std::string& problem() const { return problem_; }
+
+  private:
+    enum class Step { none, options, file, replace, work, problem };
+
+    void draw_options(const Document& document);
+    void ask_file(const Document& document);
+    void draw_file(const Document& document, PreviewPane& preview, const Scene& scene);
+    void draw_question(const Document& document, PreviewPane& preview, const Scene& scene);
+    void begin(const Document& document, PreviewPane& preview, const Scene& scene);
+    std::optional<std::string> draw_work();
+
+    Settings* settings_ = nullptr;
+    std::optional<DialogProgram> dialogs_;
+    Step step_ = Step::none;
+    ui::ExportDialog dialog_;
+    FileChooser chooser_;
+    std::filesystem::path output_;
+    BackgroundTask task_;
+    std::string problem_;
+};
+
+}  // namespace nacre

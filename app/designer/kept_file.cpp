@@ -1,0 +1,77 @@
+#include "app/designer/kept_file.h"
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+
+#include "core/design/error.h"
+#include "core/design/json_text.h"
+#include "core/exchange/atomic_file.h"
+#include "core/exchange/input_file.h"
+
+namespace nacre {
+
+namespace fs = std::filesystem;
+
+void KeptFile::read(const std::function<void(ObjectReader&)>& take) {
+    std::error_code error;
+    if (file_.empty() || !fs::exists(fs::symlink_status(file_, error))) return;
+    try {
+        const std::string name = file_.string();
+        const nlohmann::json json = parse_json(read_text_file(file_), name);
+        ObjectReader object(JsonValue(json, file_.stem().string(), name));
+        take(object);
+    } catch (const UserError& refused) {
+        set_aside(refused.what());
+    }
+}
+
+// The first free name of settings.json.damaged-1, -2, ...
+void KeptFile::set_aside(const std::string& why) {
+    untouchable_ = true;
+    problem_ = why;
+    for (int number = 1; number < 1000; ++number) {
+        const fs::path aside = file_.string() + ".damaged-" + std::to_string(number);
+        if (rename_if_free(file_, aside)) {
+            untouchable_ = false;
+            problem_ += "; it is kept as " + aside.filename().string() + ", and the defaults hold";
+            return;
+        }
+        std::error_code error;
+        if (!fs::exists(fs::symlink_status(aside, error))) break;
+    }
+    problem_ += "; the defaults hold, and the file is left as it is";
+}
+
+void KeptFile::write(const std::string& text) {
+    if (file_.empty() || untouchable_) return;
+    try {
+        make_private_folder(file_.parent_path());
+        write_file_atomically(file_, text);
+        problem_.clear();
+    } catch (const UserError& error) {
+        problem_ = error.what();
+    }
+}
+
+void make_private_folder(const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) return;
+    if (folder.has_parent_path() && folder.parent_path() != folder) make_private_folder(folder.parent_path());
+    if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+        throw UserError(folder.string(), "write", "the folder cannot be made",
+                        std::generic_category().message(errno));
+}
+
+std::optional<std::string> json_path(const fs::path& path) {
+    try {
+        return nlohmann::json(path.string()).dump();
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
+}
+
+}  // namespace nacre

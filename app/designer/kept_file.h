@@ -1,0 +1,45 @@
+// A small JSON file that the program keeps for itself, such as its settings.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/design/json_reader.h"
+
+namespace nacre {
+
+class KeptFile {
+  public:
+    // An empty path: there is nothing to read, and writing does nothing.
+    explicit KeptFile(std::filesystem::path file = {}) : file_(std::move(file)) {}
+
+    // Hands the file's object to `take`, which throws a UserError where it is wrong; nothing happens where
+    // there is no file. A file that is refused is set aside under another name beside it before anything is
+    // written in its place, and problem() says so.
+    void read(const std::function<void(ObjectReader&)>& take);
+
+    // Whole or not at all; its folder is made when it is not there. Does nothing while a refused file could
+    // not be set aside.
+    void write(const std::string& text);
+
+    // What went wrong last, in one line; empty when nothing did.
+    const std::string& problem() const { return problem_; }
+
+  private:
+    void set_aside(const std::string& why);
+
+    std::filesystem::path file_;
+    std::string problem_;
+    bool untouchable_ = false;
+};
+
+// Makes the folder, for its owner alone, and those above it. What fails is a UserError.
+void make_private_folder(const std::filesystem::path& folder);
+
+// As JSON; what is not UTF-8 cannot stand there and is no value.
+std::optional<std::string> json_path(const std::filesystem::path& path);
+
+}  // namespace nacre

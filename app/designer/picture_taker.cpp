@@ -1,0 +1,65 @@
+#include "app/designer/picture_taker.h"
+
+#include <system_error>
+#include <utility>
+
+#include "app/designer/folder.h"
+#include "core/exchange/atomic_file.h"
+#include "core/exchange/image_file.h"
+
+namespace nacre {
+
+namespace fs = std::filesystem;
+
+void PictureTaker::ask(const Document& document) {
+    asking_ = false;
+    fs::path folder = settings_->picture_folder;
+    if (folder.empty()) folder = document.file.parent_path();
+    if (folder.empty()) folder = settings_->design_folder;
+    chooser_.ask({.purpose = ui::FileDialog::Purpose::folder,
+                  .title = "Folder of pictures",
+                  .folder = existing_folder(folder)},
+                 dialogs_);
+}
+
+// Drawn at once, coded and written on a thread of its own.
+void PictureTaker::begin(const Document& document, PreviewPane& preview, const Scene& scene) {
+    wanted_ = false;
+    if (!preview.has_picture()) {
+        problem_ = "There is no picture yet.";
+        return;
+    }
+    task_.start([image = preview.picture(scene, preview.size(), false), folder = settings_->picture_folder,
+                 stem = document.stem()](const auto&, const auto&) {
+        fs::create_directories(folder);
+        const fs::path file = write_numbered_file(folder, stem, ".png", [&](const fs::path& temporary) {
+            write_image(temporary, image.size, image.rgb);
+        });
+        return "Picture " + file.string();
+    });
+}
+
+std::optional<std::string> PictureTaker::draw(const Document& document, PreviewPane& preview,
+                                              const Scene& scene) {
+    if (!problem_.empty()) {
+        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        return {};
+    }
+    if (const auto ended = task_.poll()) {
+        problem_ = ended->problem;
+        if (problem_.empty()) return ended->message;
+    }
+    if (asking_ || (wanted_ && settings_->picture_folder.empty() && !chooser_.open())) ask(document);
+    if (chooser_.open()) {
+        const auto answer = chooser_.draw();
+        if (!answer) return {};
+        wanted_ = wanted_ && !answer->chosen.empty();
+        if (answer->chosen.empty()) return {};
+        settings_->picture_folder = answer->chosen;
+        if (!wanted_) return "Pictures go to " + answer->chosen.string();
+    }
+    if (wanted_ && !task_.busy()) begin(document, preview, scene);
+    return {};
+}
+
+}  // namespace nacre

@@ -1,0 +1,98 @@
+#include "app/designer/recovery.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <ctime>
+#include <utility>
+
+#include "core/design/error.h"
+#include "ui/recovery_dialog.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Found {
+    LostWork work;
+    std::int64_t changed = 0;  // nanoseconds since 1970
+};
+
+std::string local_time(std::time_t seconds) {
+    std::tm parts{};
+    localtime_r(&seconds, &parts);
+    char text[64];
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts)};
+}
+
+// Nothing where the folder holds no work; it is removed then.
+std::optional<Found> work_in(OwnedFolder folder) {
+    const fs::path file = folder.path() / autosave_name;
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) {
+        folder.erase();
+        return {};
+    }
+    Found found{{std::move(folder), {}, {}, local_time(status.st_mtim.tv_sec), {}},
+                status.st_mtim.tv_sec * std::int64_t{1'000'000'000} + status.st_mtim.tv_nsec};
+    try {
+        const AutosaveHead head = read_autosave_head(file);
+        found.work.name = head.name;
+        found.work.file = head.file;
+    } catch (const UserError& error) {
+        found.work.problem = error.what();
+    }
+    return found;
+}
+
+}  // namespace
+
+void Recovery::look() {
+    lost_.clear();
+    chosen_ = 0;
+    if (folder_.empty()) return;
+    std::vector<Found> all;
+    for (OwnedFolder& orphan : own_orphans(folder_))
+        if (auto found = work_in(std::move(orphan))) all.push_back(std::move(*found));
+    std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.changed > b.changed; });
+    for (Found& found : all) lost_.push_back(std::move(found.work));
+}
+
+std::optional<LostAndFound> Recovery::draw() {
+    if (lost_.empty()) return {};
+    std::vector<ui::RecoveryRow> rows;
+    for (const LostWork& lost : lost_)
+        rows.push_back({.name = lost.name.empty() ? "Untitled" : lost.name,
+                        .where = !lost.problem.empty() ? lost.problem
+                                 : lost.file.empty()   ? "never saved"
+                                                       : lost.file.string(),
+                        .when = lost.when});
+    const auto answer = ui::recovery_dialog(rows, chosen_, problem_);
+    if (!answer) return {};
+    if (*answer == ui::RecoveryAnswer::later) {
+        lost_.clear();
+        return {};
+    }
+    const auto chosen = lost_.begin() + static_cast<std::ptrdiff_t>(chosen_);
+    if (*answer == ui::RecoveryAnswer::discard) {
+        chosen->folder.erase();
+        lost_.erase(chosen);
+        chosen_ = 0;
+        problem_.clear();
+        return {};
+    }
+    try {
+        LostAndFound restored{read_autosave(chosen->folder.path() / autosave_name),
+                              std::move(chosen->folder)};
+        lost_.clear();
+        problem_.clear();
+        return restored;
+    } catch (const UserError& error) {
+        problem_ = error.what();
+        return {};
+    }
+}
+
+}  // namespace nacre

@@ -1,0 +1,42 @@
+// Work that a process left behind when it was killed: found at the start, offered, restored or discarded.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/designer/autosave.h"
+#include "app/designer/owned_folder.h"
+
+namespace nacre {
+
+struct LostWork {
+    OwnedFolder folder;
+    std::string name;            // of the design
+    std::filesystem::path file;  // of the document, or empty
+    std::string when;            // of its last change, local time
+    std::string problem;         // why it cannot be read, or empty
+};
+
+class Recovery {
+  public:
+    explicit Recovery(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    // Looks for what dead processes left, and offers it if there is any. Folders without work are removed.
+    void look();
+
+    // Draws the offer while it stands; returns the work to go on with.
+    std::optional<LostAndFound> draw();
+
+    bool talking() const { return !lost_.empty(); }
+    std::size_t count() const { return lost_.size(); }
+
+  private:
+    std::filesystem::path folder_;
+    std::vector<LostWork> lost_;  // newest first
+    std::size_t chosen_ = 0;
+    std::string problem_;
+};
+
+}  // namespace nacre

@@ -1,0 +1,62 @@
+#include "app/designer/settings.h"
+
+#include <fmt/format.h>
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int version = 1;
+
+void read_path(ObjectReader& object, std::string_view key, fs::path& path) {
+    std::string text;
+    object.text(key, text);
+    path = text;
+}
+
+Settings read_settings(ObjectReader& object) {
+    Settings settings;
+    object.required("nacre_settings", "the version of the settings").whole_number(version, version);
+    double panel = 0, canvas = 0;
+    object.number("panel", panel, {0, 10'000});
+    object.number("canvas", canvas, {0, 1});
+    settings.layout.panel = static_cast<float>(panel);
+    settings.layout.canvas = static_cast<float>(canvas);
+    object.flag("system_dialogs", settings.system_dialogs);
+    read_path(object, "design_folder", settings.design_folder);
+    read_path(object, "picture_folder", settings.picture_folder);
+    read_path(object, "export_folder", settings.export_folder);
+    object.finish("the settings");
+    return settings;
+}
+
+std::string settings_text(const Settings& settings) {
+    std::string text = fmt::format("{{\n  \"nacre_settings\": {},\n", version);
+    text += fmt::format("  \"panel\": {},\n", settings.layout.panel);
+    text += fmt::format("  \"canvas\": {},\n", settings.layout.canvas);
+    const auto path = [&](const char* key, const fs::path& value) {
+        if (value.empty()) return;
+        if (const auto json = json_path(value)) text += fmt::format("  \"{}\": {},\n", key, *json);
+    };
+    path("design_folder", settings.design_folder);
+    path("picture_folder", settings.picture_folder);
+    path("export_folder", settings.export_folder);
+    return text + fmt::format("  \"system_dialogs\": {}\n}}\n", settings.system_dialogs);
+}
+
+}  // namespace
+
+SettingsFile::SettingsFile(const fs::path& folder)
+    : file_(folder.empty() ? fs::path() : folder / "settings.json") {
+    file_.read([this](ObjectReader& object) { values = read_settings(object); });
+    kept_ = values;
+}
+
+void SettingsFile::keep() {
+    if (values == kept_) return;
+    kept_ = values;
+    file_.write(settings_text(values));
+}
+
+}  // namespace nacre

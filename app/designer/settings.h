@@ -1,0 +1,37 @@
+// What the designer remembers from one run to the next about how it is used; nothing of a design.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/designer/kept_file.h"
+#include "app/designer/layout.h"
+
+namespace nacre {
+
+struct Settings {
+    Layout layout;
+    bool system_dialogs = true;            // zenity or kdialog, where there is one
+    std::filesystem::path design_folder;   // of the last design that was opened or saved
+    std::filesystem::path picture_folder;  // that F12 writes to; empty until it was chosen
+    std::filesystem::path export_folder;   // of the last export
+    bool operator==(const Settings&) const = default;
+};
+
+class SettingsFile {
+  public:
+    // Reads settings.json of the folder, if it is there. An empty folder: nothing is read or kept.
+    explicit SettingsFile(const std::filesystem::path& folder);
+
+    Settings values;
+
+    // Writes what changed since. A failure is told once by problem() and tried again with the next change.
+    void keep();
+    const std::string& problem() const { return file_.problem(); }
+
+  private:
+    KeptFile file_;
+    Settings kept_;
+};
+
+}  // namespace nacre

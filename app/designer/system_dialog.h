@@ -1,0 +1,59 @@
+// File dialogs of the desktop, as programs of their own: zenity or kdialog, started with a list of arguments
+// and asked from frame to frame whether there is an answer.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/designer/user_folders.h"
+#include "ui/dialogs.h"
+
+namespace nacre {
+
+struct FileQuestion {
+    ui::FileDialog::Purpose purpose = ui::FileDialog::Purpose::open;
+    std::string title = {};
+    std::filesystem::path folder = {};  // where it begins
+    std::string name = {};              // proposed to save under
+    std::string extension = {};         // ".nacre": others are not shown; empty: all are
+};
+
+struct DialogProgram {
+    enum class Kind { zenity, kdialog };
+    Kind kind = Kind::zenity;
+    std::filesystem::path file;  // absolute
+};
+
+// kdialog under KDE, else zenity, else whichever of them PATH has; none without a display.
+std::optional<DialogProgram> find_dialog_program(const Environment& environment);
+
+// What it is started with, the program's own name first.
+std::vector<std::string> dialog_arguments(const DialogProgram& program, const FileQuestion& question);
+
+class SystemDialog {
+  public:
+    SystemDialog(const DialogProgram& program, const FileQuestion& question);
+    ~SystemDialog();  // an open dialog is closed
+    SystemDialog(const SystemDialog&) = delete;
+    SystemDialog& operator=(const SystemDialog&) = delete;
+
+    enum class State { open, accepted, cancelled, failed };
+    State poll();  // never waits
+
+    const std::filesystem::path& chosen() const { return chosen_; }
+
+  private:
+    State finished(int status);
+
+    State state_ = State::open;
+    pid_t child_ = -1;
+    int output_ = -1;  // our end of the pipe that its answer comes through
+    std::string answer_;
+    std::filesystem::path chosen_;
+};
+
+}  // namespace nacre

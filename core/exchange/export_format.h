@@ -1,0 +1,33 @@
+// What a design can be written as for other programs: one list for the command line and the designer.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string_view>
+
+#include "core/bake/bake.h"
+#include "core/design/design.h"
+
+namespace nacre {
+
+// Each file appears whole or not at all; what fails is a UserError about it.
+using ExportWriter = std::function<void(const std::filesystem::path& output)>;
+
+struct ExportFormat {
+    std::string_view name;       // as `nacre-cli export --to` takes it
+    std::string_view title;      // as a menu shows it
+    std::string_view about;      // one line
+    std::string_view extension;  // of its file; empty: it is a folder
+    // Bakes, measures and composes what writes it. Throws what bake() throws.
+    ExportWriter (*prepare)(const Design& design, BakeOptions options, const std::stop_token& stop,
+                            const std::function<void(double)>& progress);
+};
+
+std::span<const ExportFormat> export_formats();
+
+// Null for a name that is none.
+const ExportFormat* export_format(std::string_view name);
+
+}  // namespace nacre

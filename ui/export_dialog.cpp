@@ -1,0 +1,104 @@
+#include "ui/export_dialog.h"
+
+#include <imgui.h>
+
+#include "ui/list_row.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+constexpr double pixels_most = 2048;  // a side: four samples a pixel are drawn at once
+
+void format_list(ExportDialog& dialog) {
+    for (std::size_t i = 0; i < dialog.formats.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const ExportChoice& format = dialog.formats[i];
+        if (list_row(("Format " + format.title).c_str(),
+                     {.text = format.title, .at_right = {}, .chosen = i == dialog.chosen}))
+            dialog.chosen = i;
+        ImGui::PopID();
+    }
+}
+
+void pixel_row(const char* label, double& pixels) {
+    slider({.label = label,
+            .low = 64,
+            .high = pixels_most,
+            .least = 16,
+            .most = pixels_most,
+            .reset = 1024,
+            .format = "%.0f px",
+            .logarithmic = false,
+            .tooltip =
+                "Pixels of the picture, each the mean of four samples. nacre-cli render makes larger ones."},
+           pixels);
+}
+
+void options(ExportDialog& dialog) {
+    if (dialog.formats[dialog.chosen].is_picture) {
+        pixel_row("Width", dialog.width);
+        pixel_row("Height", dialog.height);
+        return;
+    }
+    slider(
+        {.label = "Error allowed",
+         .low = 1e-4,
+         .high = 1e-2,
+         .least = 1e-5,
+         .most = 0.1,
+         .reset = 1e-3,
+         .format = "%.1e",
+         .logarithmic = true,
+         .tooltip =
+             "The error that the tables are made for: of the projected area g in parts of itself, of the "
+             "albedo R in parts of the light that falls in. Smaller errors need larger tables; all of them "
+             "together never take more than 64 KiB."},
+        dialog.tolerance);
+    ImGui::Dummy(ImVec2(0, ImGui::GetFrameHeight()));  // as high as the two rows of a picture
+}
+
+}  // namespace
+
+DialogAnswer export_dialog(ExportDialog& dialog) {
+    if (!begin_dialog("Export", 30)) return DialogAnswer::none;
+    format_list(dialog);
+    ImGui::Spacing();
+    const float size = ImGui::GetFontSize();
+    ImGui::BeginChild("about", ImVec2(0, 2.6f * size));
+    dim_text(dialog.formats[dialog.chosen].about);
+    ImGui::EndChild();
+    options(dialog);
+    ImGui::Spacing();
+    const float width = size * 7.5f;
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2 * width - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
+    DialogAnswer answer = DialogAnswer::none;
+    if (button("Choose file\u2026##Choose export file", "Where it goes.", true, width))
+        answer = DialogAnswer::accepted;
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    if (button("Cancel", nullptr, true, width)) answer = DialogAnswer::cancelled;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!io.WantTextInput && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false))
+        answer = DialogAnswer::accepted;
+    if (!io.WantTextInput && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false))
+        answer = DialogAnswer::cancelled;
+    end_dialog(answer != DialogAnswer::none);
+    return answer;
+}
+
+bool progress_dialog(const char* title, const std::string& text, double done) {
+    if (!begin_dialog(title, 28)) return false;
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::ProgressBar(static_cast<float>(done), ImVec2(-FLT_MIN, 0));
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 7;
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    const bool stopped = button("Stop##Stop export", "Nothing is written then.", true, width);
+    end_dialog(false);
+    return stopped;
+}
+
+}  // namespace nacre::ui

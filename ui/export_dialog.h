@@ -1,0 +1,31 @@
+// What to export, with each format's options, and the work's progress.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ui/dialogs.h"
+
+namespace nacre::ui {
+
+struct ExportChoice {
+    std::string title;
+    std::string about;
+    bool is_picture = false;  // has a size; else an error that its tables are made for
+};
+
+// Open for as long as export_dialog() is called.
+struct ExportDialog {
+    std::vector<ExportChoice> formats;
+    std::size_t chosen = 0;
+    double tolerance = 1e-3;             // of g relative, of R absolute
+    double width = 1024, height = 1024;  // pixels
+};
+
+DialogAnswer export_dialog(ExportDialog& dialog);
+
+// Returns whether it is to be stopped. `done` from 0 to 1.
+bool progress_dialog(const char* title, const std::string& text, double done);
+
+}  // namespace nacre::ui

@@ -1,0 +1,58 @@
+#include "ui/key_press.h"
+
+#include <imgui.h>
+
+#include <cctype>
+
+namespace nacre::ui {
+namespace {
+
+struct NamedKey {
+    std::string_view name;
+    int key;
+};
+
+constexpr NamedKey named_keys[] = {
+    {"Escape", 256}, {"Enter", 257},    {"Tab", 258},  {"Backspace", 259}, {"Insert", 260},
+    {"Delete", 261}, {"Right", 262},    {"Left", 263}, {"Down", 264},      {"Up", 265},
+    {"PageUp", 266}, {"PageDown", 267}, {"Home", 268}, {"End", 269},       {"Space", 32},
+    {"F1", 290},     {"F2", 291},       {"F11", 300},  {"F12", 301},       {"KeypadEnter", 335},
+};
+
+std::optional<int> key_number(std::string_view name) {
+    for (const NamedKey& named : named_keys)
+        if (named.name == name) return named.key;
+    if (name.size() != 1 || std::isspace(static_cast<unsigned char>(name[0])) != 0) return std::nullopt;
+    return std::toupper(static_cast<unsigned char>(name[0]));
+}
+
+}  // namespace
+
+std::optional<KeyPress> parse_key(std::string_view text) {
+    KeyPress press;
+    for (auto plus = text.find('+'); plus != std::string_view::npos && plus + 1 < text.size();
+         plus = text.find('+')) {
+        const std::string_view modifier = text.substr(0, plus);
+        if (modifier == "Ctrl")
+            press.ctrl = true;
+        else if (modifier == "Shift")
+            press.shift = true;
+        else if (modifier == "Alt")
+            press.alt = true;
+        else
+            return std::nullopt;
+        text.remove_prefix(plus + 1);
+    }
+    const auto key = key_number(text);
+    if (!key) return std::nullopt;
+    press.key = *key;
+    return press;
+}
+
+bool is_pressed(const KeyPress& press, bool repeat) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return press.ctrl == io.KeyCtrl && press.shift == io.KeyShift && press.alt == io.KeyAlt &&
+           ImGui::IsKeyPressed(press.key, repeat);
+}
+
+}  // namespace nacre::ui

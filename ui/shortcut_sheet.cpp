@@ -1,0 +1,110 @@
+#include "ui/shortcut_sheet.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "ui/canvas_toolbar.h"
+#include "ui/commands.h"
+#include "ui/dialogs.h"
+#include "ui/key_press.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+namespace {
+
+SheetGroup mouse_group() {
+    return {"Mouse",
+            {{"Drag on the preview", "Moves the highlight: the light follows."},
+             {"Shift+drag there", "The same while a brush is in hand."},
+             {"Right drag there", "Turns the object."},
+             {"Drag on the canvas", "Pulls a handle or paints with the tool."},
+             {"Right drag there", "Turns the dome, or moves the disk."},
+             {"Wheel", "Closer and farther, canvas and preview."},
+             {"Double click", "On a number or its label: its usual value."},
+             {"Ctrl+click", "On a number: type it."},
+             {"Drop a file", "A .nacre file opens; a picture asks."}}};
+}
+
+std::string keys_text(const CommandInfo& info) {
+    std::string text = info.keys;
+    if (info.also != nullptr) text += std::string(", ") + info.also;
+    return text;
+}
+
+SheetGroup& group(std::vector<SheetGroup>& groups, std::string_view title) {
+    const auto found =
+        std::find_if(groups.begin(), groups.end(), [&](const SheetGroup& g) { return g.title == title; });
+    if (found != groups.end()) return *found;
+    groups.push_back({std::string(title), {}});
+    return groups.back();
+}
+
+float keys_breadth(const SheetGroup& shown) {
+    float most = 0;
+    for (const SheetLine& line : shown.lines) most = std::max(most, ImGui::CalcTextSize(line.keys.c_str()).x);
+    return most + ImGui::GetFontSize() * 0.8f;
+}
+
+void draw_group(const SheetGroup& shown) {
+    heading(shown.title.c_str());
+    const float keys = keys_breadth(shown), left = ImGui::GetCursorPosX();
+    for (const SheetLine& line : shown.lines) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::accent_bright);
+        ImGui::TextUnformatted(line.keys.c_str());
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + keys);
+        ImGui::TextWrapped("%s", line.about.c_str());
+    }
+    ImGui::Spacing();
+    ImGui::Spacing();
+}
+
+}  // namespace
+
+std::vector<SheetGroup> shortcut_groups() {
+    std::vector<SheetGroup> groups;
+    for (const CommandInfo& info : all_commands())
+        if (info.keys != nullptr) group(groups, info.menu).lines.push_back({keys_text(info), info.about});
+    for (const auto& [keys, about] : tool_shortcuts()) group(groups, "Tools").lines.push_back({keys, about});
+    groups.push_back(mouse_group());
+    return groups;
+}
+
+bool shortcut_sheet() {
+    if (!begin_dialog("Shortcuts", 72)) return true;
+    // The columns: what concerns the document, the canvas, the mouse.
+    if (ImGui::BeginTable("groups", 3)) {
+        ImGui::TableNextRow();
+        const std::vector<SheetGroup> groups = shortcut_groups();
+        for (const SheetGroup& shown : groups) {
+            if (shown.title == "File" || shown.title == "Canvas" || shown.title == "Mouse")
+                ImGui::TableNextColumn();
+            draw_group(shown);
+        }
+        ImGui::EndTable();
+    }
+    const float width = ImGui::GetFontSize() * 7;
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    bool closed = button("Close", nullptr, true, width);
+    // The key that opened it is still down in its first frame.
+    if (!ImGui::IsWindowAppearing())
+        for (const char* key : {"Escape", "Enter", "F1"}) closed |= is_pressed(*parse_key(key), false);
+    end_dialog(closed);
+    return !closed;
+}
+
+std::string shortcuts_markdown() {
+    std::string text;
+    for (const SheetGroup& shown : shortcut_groups()) {
+        text += "| " + shown.title + " | |\n| --- | --- |\n";
+        for (const SheetLine& line : shown.lines) text += "| " + line.keys + " | " + line.about + " |\n";
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace nacre::ui
