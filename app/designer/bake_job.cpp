@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <exception>
+#include <utility>
 
 #include "core/design/design_check.h"
 #include "core/design/error.h"
@@ -55,20 +56,23 @@ BakeJob::BakeJob(int threads)
           bake_twice(baker_, drafted_, request, stop, publish, threads);
       }) {}
 
-bool BakeJob::want(const BakeRequest& request) {
-    if (wanted_ == request) return false;
-    const bool drafts = !wanted_ || !same_draft(*wanted_, request);
+void BakeJob::want(const BakeRequest& request) {
+    if (wanted_ == request) return;
+    draft_due_ = draft_due_ || !wanted_ || !same_draft(*wanted_, request);
     wanted_ = request;
     asked_ = job_.submit(request);
-    return drafts;
 }
 
 std::shared_ptr<const Tables> BakeJob::poll(std::chrono::milliseconds patience) {
-    const auto published = job_.poll(patience);
+    const bool worth_it = std::exchange(draft_due_, false) && last_draft_ <= patience;
+    const auto published = job_.poll(worth_it ? patience : std::chrono::milliseconds(0));
     if (!published) return nullptr;
     answered_ = published->revision;
     problem_ = published->error ? plain_words(published->error) : std::string();
-    return published->result.value_or(nullptr);
+    auto tables = published->result.value_or(nullptr);
+    if (tables && tables->plan.quality == Quality::draft)
+        last_draft_ = std::chrono::duration<double>(tables->seconds);
+    return tables;
 }
 
 }  // namespace nacre

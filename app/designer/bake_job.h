@@ -24,11 +24,11 @@ class BakeJob {
   public:
     explicit BakeJob(int threads);
 
-    // Starts a bake unless this is what was asked for last. True when a draft is to come of it.
-    bool want(const BakeRequest& request);
+    // Starts a bake unless this is what was asked for last.
+    void want(const BakeRequest& request);
 
-    // The newest tables since the last call, or null; keeps `problem` up to date. An answer to the newest
-    // request may take up to `patience` to come.
+    // The newest tables since the last call, or null; keeps `problem` up to date. Waits up to `patience` for
+    // a draft that has been asked for since the last call, where the one before took no longer than that.
     std::shared_ptr<const Tables> poll(std::chrono::milliseconds patience = {});
 
     // Why the newest finished request was refused, in plain words; empty when it was not.
@@ -46,6 +46,8 @@ class BakeJob {
     std::optional<BakeRequest> wanted_;
     std::string problem_;
     std::uint64_t asked_ = 0, answered_ = 0;
+    bool draft_due_ = false;                      // asked for since the last poll
+    std::chrono::duration<double> last_draft_{};  // what it took
     LatestJob<BakeRequest, std::shared_ptr<const Tables>> job_;
 };
 

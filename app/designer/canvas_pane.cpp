@@ -73,11 +73,12 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
     drawn_ = wanted;
 }
 
-void CanvasPane::draw(Design& design, ui::LayersView& layers) {
+void CanvasPane::draw(Design& design, ui::LayersView& layers, const std::function<void()>& edited) {
     show_below(ui::shown(layers, design.distribution));
     state.strongest_layer = [this](dvec3 h) { return strongest_layer(h); };
     const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, layers.chosen);
     pointed_at_ = frame.cursor;
+    edited();
     const FacetDistribution* p = live_.of(ui::shown(layers, design.distribution));
     state.mean = p ? std::optional(p->mean()) : std::nullopt;
     Drawn wanted{.revision = live_.revision(),

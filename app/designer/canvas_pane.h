@@ -1,6 +1,8 @@
 // The canvas and its picture, which is p of the design as it is in this frame: no bake stands between.
 #pragma once
 
+#include <functional>
+
 #include "app/preview/gl_objects.h"
 #include "core/design/design.h"
 #include "core/model/live_distribution.h"
@@ -15,7 +17,8 @@ class CanvasPane {
     ui::CanvasState state;
 
     // Fills the current Dear ImGui window. `layers` says which of them is chosen, and which are shown.
-    void draw(Design& design, ui::LayersView& layers);
+    // `edited` is called once the tools have done their part, before p is drawn.
+    void draw(Design& design, ui::LayersView& layers, const std::function<void()>& edited);
 
     // p as the canvas showed it last, and a number that rises whenever it changes.
     const FacetDistribution* distribution() const { return live_.newest(); }

@@ -101,19 +101,18 @@ void notice_rest(Designer& designer, const Distribution& shown) {
     designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
 }
 
-// Asks for tables of what is shown now. True when a draft is to come.
-bool ask(Designer& designer) {
+// Asks for tables of what is shown now.
+void ask(Designer& designer) {
     Design shown = designer.document.design;
     shown.distribution = ui::shown(designer.layers, shown.distribution);
     notice_rest(designer, shown.distribution);
-    return designer.baker.want(
+    designer.baker.want(
         {.design = std::move(shown), .albedo = designer.scene.ambient, .settled = designer.settled});
 }
 
 // A draft that comes within a moment is seen in the very frame of the edit that it answers.
 void follow_bake(Designer& designer) {
-    const bool draft = ask(designer);
-    if (auto tables = designer.baker.poll(draft ? patience : std::chrono::milliseconds(0))) {
+    if (auto tables = designer.baker.poll(patience)) {
         designer.tables_text = tables_text(*tables);
         designer.preview.show(std::move(tables));
     }
@@ -133,14 +132,17 @@ void draw_frame(Designer& designer) {
     if (const auto command = ui::menu_bar(menu)) perform(designer, *command);
 
     designer.canvas.state.marked = designer.preview.pointed_at();
-    draw_layout(designer.layout, {.panel = [&] { draw_panel(designer); },
-                                  .canvas = [&] { designer.canvas.draw(document.design, designer.layers); },
-                                  .preview =
-                                      [&] {
-                                          follow_bake(designer);
-                                          draw_preview(designer);
-                                      },
-                                  .status = [&] { draw_status(designer); }});
+    // The bake of what was painted runs while the canvas is drawn.
+    const auto edited = [&] { ask(designer); };
+    draw_layout(designer.layout,
+                {.panel = [&] { draw_panel(designer); },
+                 .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
+                 .preview =
+                     [&] {
+                         follow_bake(designer);
+                         draw_preview(designer);
+                     },
+                 .status = [&] { draw_status(designer); }});
     designer.files.draw(document);
     if (!designer.files.talking())
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);

@@ -41,7 +41,8 @@ float column(const char* name, float left, float top, float height, const Breadt
 float picture_column(const char* name, float left, float top, float height, const Breadth& breadth,
                      const std::function<void()>& contents) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette::canvas);
+    // The session has cleared the window to the canvas's colour: filling it once more takes time in vain.
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::Colour{0, 0, 0, 0});
     const float now = column(name, left, top, height, breadth, [&] {
         ImGui::PopStyleVar();
         contents();

@@ -125,13 +125,16 @@ void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImV
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     const double now = ImGui::GetTime();
     const bool changed = stale_ || scene != drawn_scene_ || size != drawn_size_;
-    if (changed) changed_at_ = now;
+    if (changed) {
+        changed_at_ = now;
+        last_motion_ = stale_ ? Motion::tables : Motion::scene;
+    }
     const bool moves = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
     const Pace pace = insist_on_best_ ? Pace::insisting : moves ? Pace::moving : Pace::resting;
     const bool gathers = scene.environment.picture != nullptr;
     const double a_sample = seconds_a_sample_ + (gathers ? preview_.seconds_a_sample() : 0);
     const DrawQuality quality =
-        insist_on_best_ ? best_quality : choose_quality(a_sample, size, pace == Pace::moving);
+        insist_on_best_ ? best_quality : choose_quality(a_sample, size, moves ? last_motion_ : Motion::none);
     // What has been gathered is not thrown away for a finer quality.
     const bool finer = gathers ? pace != drawn_pace_ : quality != drawn_quality_;
     if (changed || (finer && pace != Pace::moving))
@@ -141,7 +144,7 @@ void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
 }
 
 void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace) {
-    const glm::ivec2 texels = glm::max(size / quality.divisor, glm::ivec2(1));
+    const glm::ivec2 texels = glm::max(glm::ivec2(glm::dvec2(size) / quality.divisor), glm::ivec2(1));
     if (scene.environment.picture)
         gather(scene, texels, quality.supersample, pace);
     else

@@ -64,6 +64,7 @@ class PreviewPane {
     glm::ivec2 drawn_size_{0};
     DrawQuality drawn_quality_;
     Pace drawn_pace_ = Pace::moving;
+    Motion last_motion_ = Motion::none;
     double changed_at_ = 0;  // seconds on Dear ImGui's clock
     double seconds_a_sample_ = 0;
 };

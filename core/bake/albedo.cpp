@@ -58,20 +58,32 @@ Order order(std::size_t level) {
 
 constexpr std::size_t orders = 6;
 
-// The rule's points over one hemisphere of a smooth lobe, as facets.
-void walk_span(const LobeWalk& walk, std::size_t level, WeightedDirections& facets) {
+// So many facets are summed at a time: they stay near the processor.
+constexpr std::size_t batch = 512;
+
+// The rule's points over one hemisphere of a smooth lobe, as facets: visit(some of them) again and again.
+template <class Visit>
+void walk_span(const LobeWalk& walk, std::size_t level, const Visit& visit) {
     const Order rule = order(level);
+    WalkPoints points;
+    WeightedDirections facets;
+    auto flush = [&] {
+        walk.add_facets(points, facets);
+        visit(std::as_const(facets));
+        points.clear();
+        facets.clear();
+    };
     for (int i = 0; i < 2 * static_cast<int>(rule.psi.size()); ++i) {
         const QuadraturePoint& a = rule.psi[static_cast<std::size_t>(i / 2)];
         const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (i % 2 + a.x));
         for_each_part(ray, walk.breaks(), [&](double begin, double end) {
-            for (const QuadraturePoint& b : rule.chi) {
-                const Facet facet = walk.facet(ray, begin + (end - begin) * b.x);
-                const double weight = pi * a.weight * (end - begin) * b.weight;
-                if (facet.mass > 0) facets.add(facet.h, weight * facet.mass);
-            }
+            for (const QuadraturePoint& b : rule.chi)
+                points.add(ray.cosine, ray.sine, begin + (end - begin) * b.x,
+                           pi * a.weight * (end - begin) * b.weight);
         });
+        if (points.chi.size() >= batch) flush();
     }
+    flush();
 }
 
 // Directions by which the level is chosen: c from 0 to 1, crowded at grazing, azimuths all round.
@@ -105,44 +117,6 @@ double difference(const AlbedoValues& a, const AlbedoValues& b) {
 }
 
 }  // namespace
-
-LobeWalk::LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1)
-    : placed_(placed), span_(span), k1_(k1), axis_(placed.frame[2] * span.flip) {
-    const dvec3 own = glm::transpose(placed.frame) * k1;
-    start_ = std::atan2(span.stretch.y * own.y, span.stretch.x * own.x) - pi / 2;
-}
-
-// Facets h = s e + t a (s, t = sin and cos of chi; not normalised) send k1 above the horizon where
-//   2 (k1.h)(n.h) - (k1.n) |h|^2 = m + r cos(2 chi - delta) > 0  and  n.h > 0.
-// That is a disk in the slopes about n, so a great circle meets it in one interval.
-LobeWalk::Ray LobeWalk::ray(double psi) const {
-    Ray ray{std::cos(psi), std::sin(psi), 0, 0};
-    const dvec3 e =
-        placed_.frame[0] * (span_.stretch.x * ray.cosine) + placed_.frame[1] * (span_.stretch.y * ray.sine);
-    const double ke = glm::dot(k1_, e), ka = glm::dot(k1_, axis_);
-    const double alpha = 2 * ke * e.z - k1_.z * glm::dot(e, e);
-    const double beta = ke * axis_.z + ka * e.z;
-    const double gamma = 2 * ka * axis_.z - k1_.z;
-    const double m = 0.5 * (alpha + gamma), x = 0.5 * (gamma - alpha);
-    const double r = std::hypot(x, beta);
-    if (r <= std::fabs(m) && m <= 0) return ray;
-    const double reach = r > 0 ? 0.5 * std::acos(std::clamp(-m / r, -1.0, 1.0)) : 0.5 * pi;
-    double middle = 0.5 * std::atan2(beta, x);
-    if (std::sin(middle) * e.z + std::cos(middle) * axis_.z < 0) middle += middle > 0 ? -pi : pi;
-    ray.begin = std::clamp(middle - reach, 0.0, pi / 2);
-    ray.end = std::clamp(middle + reach, 0.0, pi / 2);
-    return ray;
-}
-
-Facet LobeWalk::facet(const Ray& ray, double chi) const {
-    const double s = std::sin(chi), t = std::cos(chi);
-    const dvec3 own{span_.stretch.x * s * ray.cosine, span_.stretch.y * s * ray.sine, t};
-    const double length = glm::length(own);
-    dvec3 h = own / length;
-    h.z *= span_.flip;
-    const double solid_angle = span_.stretch.x * span_.stretch.y * s / (length * length * length);
-    return {placed_.frame * h, placed_.scale * placed_.lobe->density(h) * solid_angle};
-}
 
 AlbedoRule::AlbedoRule(const FacetDistribution& distribution, const Shading<double>& shading, int channels,
                        double tolerance)
@@ -211,9 +185,12 @@ AlbedoValues AlbedoRule::operator()(dvec3 k1, double g1) const {
 AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
     const PlacedLobe& placed = distribution_.lobes()[lobe];
     if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
-    WeightedDirections facets;
-    for (const LobeSpan& span : placed.lobe->spans()) walk_span(LobeWalk(placed, span, k1), level, facets);
-    return sum_albedo(shading_, k1, g1, channels_, facets);
+    AlbedoValues sum{};
+    for (const LobeSpan& span : placed.lobe->spans())
+        walk_span(LobeWalk(placed, span, k1), level, [&](const WeightedDirections& facets) {
+            add(sum, sum_albedo(shading_, k1, g1, channels_, facets), 1);
+        });
+    return sum;
 }
 
 }  // namespace nacre

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/bake/direction_sums.h"
+#include "core/bake/lobe_walk.h"
 #include "core/model/facet_distribution.h"
 
 namespace nacre {
@@ -19,35 +20,6 @@ struct FacetAlbedo {
     dvec3 k1;
     double g1;
     int channels;
-};
-
-// Where a lobe's facets send light from k1 up: on each great circle through the lobe's axis, at azimuth psi
-// in the stretched hemisphere, one interval of angles chi from the axis.
-class LobeWalk {
-  public:
-    LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1);
-
-    // One great circle.
-    struct Ray {
-        double cosine, sine;  // of psi
-        double begin, end;    // radians; empty when end <= begin
-    };
-    Ray ray(double psi) const;
-
-    // The facet at chi on a ray and p dh/(dpsi dchi).
-    Facet facet(const Ray& ray, double chi) const;
-
-    // psi runs over two halves, [start, start + pi] and on, parted where the facets turn from k1.
-    double start() const { return start_; }
-
-    const std::vector<double>& breaks() const { return span_.breaks; }
-
-  private:
-    const PlacedLobe& placed_;
-    LobeSpan span_;
-    dvec3 k1_;
-    dvec3 axis_;
-    double start_;
 };
 
 // The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi; the integrand is

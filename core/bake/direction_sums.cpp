@@ -4,14 +4,13 @@
 #define HWY_TARGET_INCLUDE "core/bake/direction_sums.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each kind of processor
 
-#include "core/model/lane_shading-inl.h"
+#include "core/model/lane_columns-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace nacre {
 namespace HWY_NAMESPACE {
 namespace {
 
-using Doubles = hn::ScalableTag<double>;
 using Lanes = LaneShading<Doubles>;
 using Real = Lanes::real;
 
@@ -28,15 +27,6 @@ struct TableArea {
 
     const Table& table;
 };
-
-// `count` numbers from `from` on and zeros.
-Real load(const double* from, std::size_t count) {
-    const Doubles d;
-    if (count >= hn::Lanes(d)) return Real(hn::LoadU(d, from));
-    HWY_ALIGN double lanes[hn::MaxLanes(d)] = {};
-    for (std::size_t i = 0; i < count; ++i) lanes[i] = from[i];
-    return Real(hn::Load(d, lanes));
-}
 
 // values(direction, out) of every direction times its weight. Past the end weights are 0 and the direction n.
 template <class ValuesAt>

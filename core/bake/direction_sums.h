@@ -22,6 +22,9 @@ class WeightedDirections {
         z_.push_back(direction.z);
         weight_.push_back(weight);
     }
+    void clear() {
+        for (std::vector<double>* column : {&x_, &y_, &z_, &weight_}) column->clear();
+    }
 
     std::size_t size() const { return x_.size(); }
     const double* x() const { return x_.data(); }

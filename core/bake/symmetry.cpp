@@ -51,27 +51,33 @@ bool holds_picture(const Layer& layer) {
 
 bool is_round(const Layer& layer) { return shape_period(layer.lobe) == 0 && !holds_picture(layer); }
 
+// A layer that holds facets, and the mirrors of its pictures, which are looked for once.
+struct Part {
+    const Layer* layer = nullptr;
+    PictureMirrors mirrors;
+};
+
 bool upright(const Layer& layer) { return std::fabs(layer.tilt) < 1e-12; }
 
 // `b` is `a` seen in a mirror that stands on the azimuth `axis`.
-bool mirrored(const Layer& a, const Layer& b, double axis) {
+bool mirrored(const Part& part, const Layer& b, double axis) {
+    const Layer& a = *part.layer;
     if (a.weight != b.weight || a.lobe != b.lobe || a.modulation != b.modulation || a.tilt != b.tilt)
         return false;
     if (!upright(a) && !same_angle(2 * axis - a.azimuth, b.azimuth, 360)) return false;
     if (is_round(a)) return true;
     const double wanted = 2 * axis - a.rotation;
     if (!holds_picture(a)) return same_angle(wanted, b.rotation, shape_period(a.lobe));
-    const PictureMirrors mirrors = picture_mirrors(a);
-    return (mirrors.x && same_angle(wanted, b.rotation, 360)) ||
-           (mirrors.y && same_angle(wanted + 180, b.rotation, 360));
+    return (part.mirrors.x && same_angle(wanted, b.rotation, 360)) ||
+           (part.mirrors.y && same_angle(wanted + 180, b.rotation, 360));
 }
 
-bool has_mirror(const std::vector<Layer>& layers, double axis) {
-    std::vector<bool> taken(layers.size(), false);
-    for (const Layer& layer : layers) {
+bool has_mirror(const std::vector<Part>& parts, double axis) {
+    std::vector<bool> taken(parts.size(), false);
+    for (const Part& part : parts) {
         bool found = false;
-        for (std::size_t j = 0; j < layers.size() && !found; ++j) {
-            if (taken[j] || !mirrored(layer, layers[j], axis)) continue;
+        for (std::size_t j = 0; j < parts.size() && !found; ++j) {
+            if (taken[j] || !mirrored(part, *parts[j].layer, axis)) continue;
             taken[j] = found = true;
         }
         if (!found) return false;
@@ -79,14 +85,14 @@ bool has_mirror(const std::vector<Layer>& layers, double axis) {
     return true;
 }
 
-std::vector<double> candidate_axes(const std::vector<Layer>& layers) {
+std::vector<double> candidate_axes(const std::vector<Part>& parts) {
     std::vector<double> axes = {0};
-    for (const Layer& a : layers) {
-        for (const double angle : {a.azimuth, a.rotation}) {
+    for (const Part& a : parts) {
+        for (const double angle : {a.layer->azimuth, a.layer->rotation}) {
             axes.push_back(angle);
-            for (const Layer& b : layers) {
-                axes.push_back(0.5 * (angle + b.azimuth));
-                axes.push_back(0.5 * (angle + b.rotation));
+            for (const Part& b : parts) {
+                axes.push_back(0.5 * (angle + b.layer->azimuth));
+                axes.push_back(0.5 * (angle + b.layer->rotation));
             }
         }
     }
@@ -97,15 +103,18 @@ std::vector<double> candidate_axes(const std::vector<Layer>& layers) {
 }  // namespace
 
 DistributionSymmetry find_symmetry(const Distribution& distribution) {
-    std::vector<Layer> layers;
-    for (const Layer& layer : distribution.layers)
-        if (layer.enabled && layer.weight > 0) layers.push_back(layer);
-    if (std::all_of(layers.begin(), layers.end(), [](const Layer& l) { return is_round(l) && upright(l); }))
-        return {Symmetry::isotropic, 0};
+    std::vector<Part> parts;
+    bool isotropic = true;
+    for (const Layer& layer : distribution.layers) {
+        if (!layer.enabled || layer.weight <= 0) continue;
+        parts.push_back({&layer, picture_mirrors(layer)});
+        isotropic = isotropic && is_round(layer) && upright(layer);
+    }
+    if (isotropic) return {Symmetry::isotropic, 0};
     DistributionSymmetry best;
-    for (const double axis : candidate_axes(layers)) {
-        if (!has_mirror(layers, axis)) continue;
-        if (has_mirror(layers, axis + 90)) return {Symmetry::quarter, axis};
+    for (const double axis : candidate_axes(parts)) {
+        if (!has_mirror(parts, axis)) continue;
+        if (has_mirror(parts, axis + 90)) return {Symmetry::quarter, axis};
         if (best.symmetry == Symmetry::none) best = {Symmetry::half, axis};
     }
     return best;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -63,6 +64,20 @@ double FacetDistribution::density(dvec3 h) const {
     for (const PlacedLobe& placed : lobes_)
         sum += placed.scale * placed.lobe->density(glm::transpose(placed.frame) * h);
     return sum;
+}
+
+void FacetDistribution::densities(const DirectionColumns& h, double* p) const {
+    std::vector<double> columns(4 * h.size);
+    double *x = columns.data(), *y = x + h.size, *z = y + h.size, *part = z + h.size;
+    std::fill_n(p, h.size, 0.0);
+    for (const PlacedLobe& placed : lobes_) {
+        for (std::size_t i = 0; i < h.size; ++i) {
+            const dvec3 own = glm::transpose(placed.frame) * dvec3(h.x[i], h.y[i], h.z[i]);
+            x[i] = own.x, y[i] = own.y, z[i] = own.z;
+        }
+        placed.lobe->densities({x, y, z, h.size}, part);
+        for (std::size_t i = 0; i < h.size; ++i) p[i] += placed.scale * part[i];
+    }
 }
 
 Area FacetDistribution::area(dvec3 k) const {

@@ -27,6 +27,8 @@ class FacetDistribution {
         const LobeOf& lobe_of = [](const Layer& layer, std::size_t) { return make_lobe(layer); });
 
     double density(dvec3 h) const;  // per steradian
+    // The same of many directions; `p` takes h.size numbers.
+    void densities(const DirectionColumns& h, double* p) const;
     Area area(dvec3 k) const;
     double projected_area(dvec3 k) const;           // area(k).g
     dvec3 mean() const { return mean_; }            // H = <h>

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/model/beckmann.h"
+#include "core/model/lobe_densities.h"
 #include "core/model/shading.h"
 
 namespace nacre {
@@ -57,6 +58,10 @@ class Gaussian final : public LobeModel {
     }
 
     double density(dvec3 h) const override { return Shading<double>::gaussian_density(h, inverse_width_); }
+
+    void densities(const DirectionColumns& h, double* p) const override {
+        lobe_densities({Shading<double>::LOBE_GAUSSIAN, inverse_width_}, h, p);
+    }
     double mass() const override { return mass_; }
 
     Area area(dvec3 k) const override {

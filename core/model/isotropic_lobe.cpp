@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/model/lobe_densities.h"
 #include "core/model/quadrature.h"
 #include "core/model/shading.h"
 
@@ -172,6 +173,10 @@ class InverseGaussian final : public Isotropic {
 
     double density(dvec3 h) const override {
         return Shading<double>::inverse_gaussian_density(h, inverse_width_);
+    }
+
+    void densities(const DirectionColumns& h, double* p) const override {
+        lobe_densities({Shading<double>::LOBE_INVERSE_GAUSSIAN, dvec2{inverse_width_}}, h, p);
     }
     dvec3 mean() const override { return {0, 0, area({0, 0, 1}).g}; }
     std::vector<LobeSpan> spans() const override { return {{dvec2{stretch_}, 1, {}}}; }

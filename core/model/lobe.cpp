@@ -31,6 +31,10 @@ std::shared_ptr<const LobeModel> make_plain_lobe(const Lobe& lobe) {
 
 }  // namespace
 
+void LobeModel::densities(const DirectionColumns& h, double* p) const {
+    for (std::size_t i = 0; i < h.size; ++i) p[i] = density({h.x[i], h.y[i], h.z[i]});
+}
+
 dvec3 LobeModel::mean() const {
     dvec3 sum{0};
     for (int i = 0; i < 3; ++i) {

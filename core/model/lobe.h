@@ -31,6 +31,12 @@ struct Facet {
     double mass;
 };
 
+// Unit vectors in columns; owned by others.
+struct DirectionColumns {
+    const double *x, *y, *z;
+    std::size_t size;
+};
+
 // How to walk over a lobe in its own coordinates. The upper hemisphere h' (uniform measure) is mapped by
 // h = A h'/|A h'|, A = diag(stretch.x, stretch.y, 1), which makes any width one. Great circles through the
 // axis stay great circles, so that "k2 above the horizon" is one interval on each of them.
@@ -46,6 +52,9 @@ class LobeModel {
 
     // p(h), not normalised. |h| = 1.
     virtual double density(dvec3 h) const = 0;
+
+    // density() of many directions, to a few units in the last place; `p` takes h.size numbers.
+    virtual void densities(const DirectionColumns& h, double* p) const;
 
     // Integral of p over the sphere, steradians times the unit of p. Positive and finite.
     virtual double mass() const = 0;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/model/disk.h"
+#include "core/model/lobe_densities.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/shading.h"
 
@@ -99,6 +100,10 @@ class Painted final : public LobeModel {
     double density(dvec3 h) const override {
         const double p = picture_(h);
         return factor_ ? p * (*factor_)(h) : p;
+    }
+    void densities(const DirectionColumns& h, double* p) const override {
+        if (factor_) return LobeModel::densities(h, p);
+        lobe_densities({Shading<double>::LOBE_PAINTED, {}, raster_->values.data(), raster_->width}, h, p);
     }
     double mass() const override { return pyramid_->mass(); }
     Area area(dvec3 k) const override { return pyramid_->area(k); }

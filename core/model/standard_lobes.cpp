@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/model/beckmann.h"
+#include "core/model/lobe_densities.h"
 #include "core/model/shading.h"
 
 namespace nacre {
@@ -18,6 +19,10 @@ class Ggx final : public LobeModel {
     explicit Ggx(const GgxLobe& lobe) : alpha_(lobe.alpha_x, lobe.alpha_y), n_(pi * alpha_.x * alpha_.y) {}
 
     double density(dvec3 h) const override { return Shading<double>::ggx_density(h, 1.0 / alpha_); }
+
+    void densities(const DirectionColumns& h, double* p) const override {
+        lobe_densities({Shading<double>::LOBE_GGX, 1.0 / alpha_}, h, p);
+    }
 
     // GGX is the normals of half an ellipsoid with axes 1/ax, 1/ay, 1: its area over its projected area is
     // 2 R_G(1, ax^2, ay^2) in Carlson's symmetric form.
@@ -59,6 +64,10 @@ class Beckmann final : public LobeModel {
         : alpha_(lobe.alpha_x, lobe.alpha_y), n_(pi * alpha_.x * alpha_.y) {}
 
     double density(dvec3 h) const override { return Shading<double>::beckmann_density(h, 1.0 / alpha_); }
+
+    void densities(const DirectionColumns& h, double* p) const override {
+        lobe_densities({Shading<double>::LOBE_BECKMANN, 1.0 / alpha_}, h, p);
+    }
 
     // The mean of sqrt(1 + r^2) over Gaussian slopes, from
     //   sqrt(1 + r^2) = integral of (1 - exp(-t (1 + r^2))) t^-3/2 dt / (2 sqrt(pi)),

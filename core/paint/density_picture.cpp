@@ -12,13 +12,44 @@ namespace nacre {
 namespace {
 
 constexpr double decades = 4;
-constexpr int peak_side = 160;  // samples a side over the hemisphere's disk
+constexpr int peak_side = 160;  // samples a side
 constexpr int colours = 1024;
 
 std::array<glm::u8vec3, colours> colour_table() {
     std::array<glm::u8vec3, colours> table{};
     for (int i = 0; i < colours; ++i) table[static_cast<std::size_t>(i)] = inferno(i / (colours - 1.0));
     return table;
+}
+
+// Places to look up p at, side by side.
+class Directions {
+  public:
+    void add(dvec3 h) {
+        x_.push_back(h.x);
+        y_.push_back(h.y);
+        z_.push_back(h.z);
+    }
+
+    std::vector<double> densities(const FacetDistribution& p) const {
+        std::vector<double> values(x_.size());
+        p.densities({x_.data(), y_.data(), z_.data(), x_.size()}, values.data());
+        return values;
+    }
+
+  private:
+    std::vector<double> x_, y_, z_;
+};
+
+// All over the whole sphere's disk, so that what leans below the horizon counts too.
+Directions peak_grid() {
+    Directions grid;
+    for (int row = 0; row < peak_side; ++row)
+        for (int column = 0; column < peak_side; ++column) {
+            const glm::dvec2 at = std::numbers::sqrt2 * glm::dvec2(2 * (column + 0.5) / peak_side - 1,
+                                                                   1 - 2 * (row + 0.5) / peak_side);
+            if (glm::dot(at, at) < 2) grid.add(disk_direction(at));
+        }
+    return grid;
 }
 
 }  // namespace
@@ -34,15 +65,12 @@ double DensityScale::value(double position) const {
 }
 
 double peak_density(const FacetDistribution& p) {
+    static const Directions grid = peak_grid();
+    Directions axes;
+    for (const PlacedLobe& placed : p.lobes()) axes.add(placed.frame[2]);
     double peak = 0;
-    for (const PlacedLobe& placed : p.lobes()) peak = std::max(peak, p.density(placed.frame[2]));
-    // The grid covers the whole sphere's disk, so that what leans below the horizon counts too.
-    for (int row = 0; row < peak_side; ++row)
-        for (int column = 0; column < peak_side; ++column) {
-            const glm::dvec2 at = std::numbers::sqrt2 * glm::dvec2(2 * (column + 0.5) / peak_side - 1,
-                                                                   1 - 2 * (row + 0.5) / peak_side);
-            if (glm::dot(at, at) < 2) peak = std::max(peak, p.density(disk_direction(at)));
-        }
+    for (const Directions* places : {&grid, static_cast<const Directions*>(&axes)})
+        for (const double density : places->densities(p)) peak = std::max(peak, density);
     return peak;
 }
 
@@ -52,16 +80,24 @@ DensityPicture density_picture(const FacetDistribution& p, const HemisphereView&
     DensityPicture picture;
     picture.size = glm::max(glm::ivec2(glm::ceil(view.size() / static_cast<double>(divisor))), 1);
     picture.rgba.reserve(static_cast<std::size_t>(picture.size.x * picture.size.y) * 4);
-    for (int row = 0; row < picture.size.y; ++row)
+    std::vector<double> covered(static_cast<std::size_t>(picture.size.x));
+    for (int row = 0; row < picture.size.y; ++row) {
+        Directions directions;
         for (int column = 0; column < picture.size.x; ++column) {
             const glm::dvec2 pixel = glm::dvec2(column + 0.5, row + 0.5) * static_cast<double>(divisor);
-            const double covered = view.coverage(pixel);
-            double position = 0;
-            if (covered > 0) position = scale.position(p.density(view.nearest_direction(pixel)));
+            double& share = covered[static_cast<std::size_t>(column)];
+            share = view.coverage(pixel);
+            if (share > 0) directions.add(view.nearest_direction(pixel));
+        }
+        const std::vector<double> densities = directions.densities(p);
+        auto density = densities.begin();
+        for (const double share : covered) {
+            const double position = share > 0 ? scale.position(*density++) : 0;
             const glm::u8vec3 c = table[static_cast<std::size_t>(std::lround(position * (colours - 1)))];
-            const auto alpha = static_cast<std::uint8_t>(std::lround(255 * covered));
+            const auto alpha = static_cast<std::uint8_t>(std::lround(255 * share));
             picture.rgba.insert(picture.rgba.end(), {c.x, c.y, c.z, alpha});
         }
+    }
     return picture;
 }
 

@@ -119,4 +119,28 @@ TEST_CASE("no pairs and no facets are none") {
     CHECK(sum_albedo(tables->shading, {0, 0, 1}, 1, 0, {})[0] == 0);
 }
 
+
+TEST_CASE("the density at many directions is that at each of them") {
+    const auto property = [] {
+        const FacetDistribution p(physical_design().distribution);
+        Random random(*rc::gen::arbitrary<std::uint64_t>());
+        std::vector<double> x, y, z;
+        for (int i = 0; i < 61; ++i) {
+            dvec3 h = i == 0 ? dvec3{0, 0, 1} : random_direction(random);
+            if (i % 9 == 4) h.z = -h.z;
+            x.push_back(h.x), y.push_back(h.y), z.push_back(h.z);
+        }
+        const DirectionColumns columns{x.data(), y.data(), z.data(), x.size()};
+        for_each_target([&] {
+            std::vector<double> values(x.size(), -1);
+            p.densities(columns, values.data());
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                const double one = p.density({x[i], y[i], z[i]});
+                RC_ASSERT(std::fabs(values[i] - one) <= 1e-11 * one + 1e-300);
+            }
+        });
+    };
+    CHECK(holds("densities side by side", property, 200));
+}
+
 TEST_SUITE_END();

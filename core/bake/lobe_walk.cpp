@@ -1,0 +1,104 @@
+#include "core/bake/lobe_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/bake/lobe_walk.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for each kind of processor
+
+#include "core/model/lane_columns-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nacre {
+namespace HWY_NAMESPACE {
+namespace {
+
+using Real = LaneReals<Doubles>;
+
+// h' = (sin(chi) cos(psi), sin(chi) sin(psi), cos(chi)) of the stretched hemisphere to h = A h'/|A h'|, into
+// x, y and z, and into `area` what a step of psi and chi covers: det(A) sin(chi)/|A h'|^3 steradians.
+HWY_FLATTEN HWY_ATTR void stretch_points(dvec2 stretch, const double* cosine, const double* sine,
+                                         const double* chi, std::size_t count, double* x, double* y,
+                                         double* z, double* area) {
+    const Doubles d;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const std::size_t rest = count - i;
+        const auto angle = load(chi + i, rest);
+        const Real s(hn::Sin(d, angle.v)), t(hn::Cos(d, angle.v));
+        const Real a = s * stretch.x * load(cosine + i, rest), b = s * stretch.y * load(sine + i, rest);
+        const Real unit = Real(1.0) / sqrt(a * a + b * b + t * t);
+        store(a * unit, x + i, rest);
+        store(b * unit, y + i, rest);
+        store(t * unit, z + i, rest);
+        store(s * (stretch.x * stretch.y) * unit * unit * unit, area + i, rest);
+    }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace nacre
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nacre {
+
+HWY_EXPORT(stretch_points);
+
+using std::numbers::pi;
+
+LobeWalk::LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1)
+    : placed_(placed), span_(span), k1_(k1), axis_(placed.frame[2] * span.flip) {
+    const dvec3 own = glm::transpose(placed.frame) * k1;
+    start_ = std::atan2(span.stretch.y * own.y, span.stretch.x * own.x) - pi / 2;
+}
+
+// Facets h = s e + t a (s, t = sin and cos of chi; not normalised) send k1 above the horizon where
+//   2 (k1.h)(n.h) - (k1.n) |h|^2 = m + r cos(2 chi - delta) > 0  and  n.h > 0.
+// That is a disk in the slopes about n, so a great circle meets it in one interval.
+LobeWalk::Ray LobeWalk::ray(double psi) const {
+    Ray ray{std::cos(psi), std::sin(psi), 0, 0};
+    const dvec3 e =
+        placed_.frame[0] * (span_.stretch.x * ray.cosine) + placed_.frame[1] * (span_.stretch.y * ray.sine);
+    const double ke = glm::dot(k1_, e), ka = glm::dot(k1_, axis_);
+    const double alpha = 2 * ke * e.z - k1_.z * glm::dot(e, e);
+    const double beta = ke * axis_.z + ka * e.z;
+    const double gamma = 2 * ka * axis_.z - k1_.z;
+    const double m = 0.5 * (alpha + gamma), x = 0.5 * (gamma - alpha);
+    const double r = std::hypot(x, beta);
+    if (r <= std::fabs(m) && m <= 0) return ray;
+    const double reach = r > 0 ? 0.5 * std::acos(std::clamp(-m / r, -1.0, 1.0)) : 0.5 * pi;
+    double middle = 0.5 * std::atan2(beta, x);
+    if (std::sin(middle) * e.z + std::cos(middle) * axis_.z < 0) middle += middle > 0 ? -pi : pi;
+    ray.begin = std::clamp(middle - reach, 0.0, pi / 2);
+    ray.end = std::clamp(middle + reach, 0.0, pi / 2);
+    return ray;
+}
+
+Facet LobeWalk::facet(const Ray& ray, double chi) const {
+    dvec3 h;
+    double area = 0;
+    HWY_DYNAMIC_DISPATCH(stretch_points)
+    (span_.stretch, &ray.cosine, &ray.sine, &chi, 1, &h.x, &h.y, &h.z, &area);
+    h.z *= span_.flip;
+    return {placed_.frame * h, placed_.scale * placed_.lobe->density(h) * area};
+}
+
+void LobeWalk::add_facets(const WalkPoints& points, WeightedDirections& facets) const {
+    const std::size_t count = points.chi.size();
+    std::vector<double> columns(5 * count);
+    double *x = columns.data(), *y = x + count, *z = y + count, *area = z + count, *p = area + count;
+    HWY_DYNAMIC_DISPATCH(stretch_points)
+    (span_.stretch, points.cosine.data(), points.sine.data(), points.chi.data(), count, x, y, z, area);
+    if (span_.flip < 0) std::transform(z, z + count, z, std::negate());
+    placed_.lobe->densities({x, y, z, count}, p);
+    for (std::size_t i = 0; i < count; ++i)
+        if (p[i] > 0)
+            facets.add(placed_.frame * dvec3(x[i], y[i], z[i]),
+                       points.weight[i] * placed_.scale * p[i] * area[i]);
+}
+
+}  // namespace nacre
+#endif
