@@ -3,11 +3,9 @@
 
 uniform vec2 target_size;       // texels
 uniform float texels_per_unit;  // of view space
-uniform vec3 light_direction;   // toward the light, view space
-uniform vec3 light_irradiance;  // on a surface that faces it
-#if SECOND_LIGHT
-uniform vec3 second_direction;
-uniform vec3 second_irradiance;
+#if LIGHTS > 0
+uniform vec3 light_direction[LIGHTS];   // toward each light, view space
+uniform vec3 light_irradiance[LIGHTS];  // on a surface that faces it
 #endif
 #if AMBIENT_LIGHT
 uniform vec3 ambient_radiance;
@@ -17,6 +15,7 @@ uniform float environment_brightness;  // factor
 uniform float background_slope;  // of the view's rays, per unit of view space beside the middle
 #else
 uniform vec3 background;  // linear radiance at the centre
+uniform float falloff;    // toward the corners: 1 for a wall, 0 for the same everywhere
 #endif
 
 out vec4 radiance;
@@ -31,9 +30,9 @@ vec3 lit(Direction viewer, mat3 frame, vec3 toward, vec3 irradiance) {
 // in view space.
 vec3 shade(mat3 frame) {
     Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
-    vec3 sum = lit(viewer, frame, light_direction, light_irradiance);
-#if SECOND_LIGHT
-    sum += lit(viewer, frame, second_direction, second_irradiance);
+    vec3 sum = vec3(0.0);
+#if LIGHTS > 0
+    for (int i = 0; i < LIGHTS; ++i) sum += lit(viewer, frame, light_direction[i], light_irradiance[i]);
 #endif
 #if AMBIENT_LIGHT
     sum += total_albedo(viewer) * ambient_radiance;
@@ -52,7 +51,7 @@ vec3 wall(vec2 at) {
 // A quiet wall: brighter behind the object, falling off toward the corners.
 vec3 wall(vec2 at) {
     float r2 = dot(at, at);
-    return background / (1.0 + 0.35 * r2 + 0.05 * r2 * r2);
+    return background / (1.0 + falloff * (0.35 * r2 + 0.05 * r2 * r2));
 }
 #endif
 

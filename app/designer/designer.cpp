@@ -82,6 +82,7 @@ void draw_preview(Designer& designer) {
                                      ui::use_tool(canvas, sphere, designer.document.design.distribution,
                                                   designer.layers.chosen);
                           });
+    designer.objects.draw(designer.scene);
 }
 
 void draw_status(const Designer& designer) {
@@ -124,7 +125,8 @@ Designer::Designer(int bake_threads) : baker(bake_threads), presets(list_presets
 
 void draw_frame(Designer& designer) {
     Document& document = designer.document;
-    if (!designer.files.talking() && !designer.pictures.talking() && !designer.environment.talking())
+    if (!designer.files.talking() && !designer.pictures.talking() && !designer.objects.talking() &&
+        !designer.environment.talking())
         if (const auto command = ui::pressed_shortcut()) perform(designer, *command);
     const ui::MenuState menu{.can_undo = document.history.can_undo(),
                              .can_redo = document.history.can_redo(),
@@ -146,6 +148,7 @@ void draw_frame(Designer& designer) {
     designer.files.draw(document);
     if (!designer.files.talking())
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+    if (!designer.files.talking() && !designer.pictures.talking()) designer.objects.talk();
     if (auto surroundings = designer.pictures.take_surroundings())
         designer.environment.want(surroundings->string());
     designer.environment.draw(designer.scene.environment);
@@ -153,6 +156,13 @@ void draw_frame(Designer& designer) {
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
     ask(designer);
+}
+
+void take_file(Designer& designer, const std::filesystem::path& file) {
+    if (names_object(file.string()))
+        designer.objects.want(file.string());
+    else
+        designer.pictures.offer(file);
 }
 
 void perform(Designer& designer, ui::Command command) {
@@ -186,7 +196,8 @@ void perform(Designer& designer, ui::Command command) {
 }
 
 bool in_motion(const Designer& designer) {
-    return designer.baker.busy() || designer.environment.busy() || designer.preview.gathering();
+    return designer.baker.busy() || designer.objects.busy() || designer.environment.busy() ||
+           designer.preview.gathering();
 }
 
 }  // namespace nacre

@@ -13,6 +13,7 @@
 #include "app/designer/file_flow.h"
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
+#include "app/designer/object_chooser.h"
 #include "app/designer/picture_drop.h"
 #include "app/designer/preview_pane.h"
 #include "app/preview/scene.h"
@@ -32,6 +33,7 @@ struct Designer {
     CanvasPane canvas;
     FileFlow files;
     PictureDrop pictures;
+    ObjectChooser objects;
     EnvironmentPanel environment;
     Layout layout;
     ui::LayersView layers;
@@ -44,6 +46,9 @@ struct Designer {
 
 // Draws one frame and acts on its input. Never waits for the worker.
 void draw_frame(Designer& designer);
+
+// A file was dropped on the window.
+void take_file(Designer& designer, const std::filesystem::path& file);
 
 void perform(Designer& designer, ui::Command command);
 

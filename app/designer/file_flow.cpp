@@ -37,7 +37,7 @@ void FileFlow::save(Document& document) {
 void FileFlow::save_as(const Document& document) {
     const fs::path folder = document.file.empty() ? last_folder_ : document.file.parent_path();
     ui::FileDialog dialog{
-        .purpose = ui::FileDialog::Purpose::save, .listing = list_folder(folder), .path = {}, .problem = {}};
+        .purpose = ui::FileDialog::Purpose::save, .listing = list_designs(folder), .path = {}, .problem = {}};
     dialog.path = document.file.empty() ? "untitled.nacre" : document.file.filename().string();
     dialog_ = std::move(dialog);
 }
@@ -62,7 +62,7 @@ void FileFlow::go_on(Document& document) {
             break;
         case Next::show_open:
             dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::open,
-                                     .listing = list_folder(last_folder_),
+                                     .listing = list_designs(last_folder_),
                                      .path = {},
                                      .problem = {}};
             break;
@@ -113,7 +113,7 @@ void FileFlow::draw(Document& document) {
 void FileFlow::draw_dialog(Document& document) {
     fs::path chosen;
     const bool saving = dialog_->purpose == ui::FileDialog::Purpose::save;
-    const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_folder, chosen);
+    const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_designs, chosen);
     if (answer == ui::DialogAnswer::none) return;
     dialog_.reset();
     if (answer == ui::DialogAnswer::cancelled) {

@@ -11,8 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* extension = ".nacre";
-
 bool is_vowel(char letter) { return std::string_view("aeiouy").find(letter) != std::string_view::npos; }
 
 // "brushed-gold" reads as "Brushed gold"; a word without a vowel is an abbreviation: "GGX steel".
@@ -31,7 +29,11 @@ std::string spoken(std::string name) {
 
 }  // namespace
 
-ui::Listing list_folder(const fs::path& folder) { return list_files(folder, {extension}); }
+ui::Listing list_designs(const fs::path& folder) { return list_folder(folder, ".nacre"); }
+
+ui::Listing list_folder(const fs::path& folder, const std::string& ending) {
+    return list_files(folder, {ending});
+}
 
 ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& endings) {
     ui::Listing listing;
@@ -60,7 +62,7 @@ ui::Listing list_files(const fs::path& folder, const std::vector<std::string>& e
 
 std::vector<Preset> list_presets(const fs::path& folder) {
     std::vector<Preset> presets;
-    const ui::Listing listing = list_folder(folder);
+    const ui::Listing listing = list_designs(folder);
     for (const auto& entry : listing.entries)
         if (!entry.is_directory) {
             const fs::path file = listing.directory / entry.name;

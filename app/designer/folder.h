@@ -9,8 +9,9 @@
 
 namespace nacre {
 
-// Folders and design files, sorted, without hidden ones.
-ui::Listing list_folder(const std::filesystem::path& folder);
+// Folders and files whose name ends so, sorted, without hidden ones.
+ui::Listing list_folder(const std::filesystem::path& folder, const std::string& ending);
+ui::Listing list_designs(const std::filesystem::path& folder);
 
 // The same with files of any of these endings, in small letters, in place of designs.
 ui::Listing list_files(const std::filesystem::path& folder, const std::vector<std::string>& endings);

@@ -1,7 +1,7 @@
 #include "app/designer/preview_pane.h"
 
 #include <fmt/core.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -61,10 +61,13 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     const ImVec2 size = ImGui::GetContentRegionAvail();
     if (size.x < 1 || size.y < 1) return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("Preview", size,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
+    constexpr ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft |
+                                         ImGuiButtonFlags_MouseButtonRight |
+                                         ImGuiButtonFlags_MouseButtonMiddle;
+    // Widgets that stand on the picture come before it.
+    ImGui::InvisibleButton("Preview", size, buttons | ImGuiButtonFlags_AllowItemOverlap);
     ui::note_item("Preview");
+    ImGui::SetItemAllowOverlap();
     const bool taken = work(scene, corner, size, tool);
     handle_mouse(scene, corner, size, taken);
     if (preview_.empty()) return;

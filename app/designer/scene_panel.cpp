@@ -57,16 +57,34 @@ void light_rows(LightSource& light, const LightSource& usual, const LightLabels&
                  "How bright the light is: \u03c0 shows a white matt surface that faces it as white.");
 }
 
+void background_rows(Scene& scene, const Scene& usual) {
+    // In the order of Background.
+    constexpr const char* names[] = {"Dark wall", "Grey", "Black", "White", "Colour"};
+    int index = static_cast<int>(scene.background);
+    if (ui::combo(
+            "Background", index, names,
+            "What stands behind the object. The wall follows the exposure; the others stay as they are."))
+        scene.background = static_cast<Background>(index);
+    if (scene.background == Background::custom)
+        ui::colour("Colour##Background colour", scene.background_colour, usual.background_colour);
+}
+
 void lights(Scene& scene) {
     const Scene usual;
     light_rows(scene.light, usual.light,
                {"Polar angle##Light polar angle", "Azimuth##Light azimuth", "Strength##Light strength"});
-    ui::checkbox("Second light", scene.second_light,
-                 "A second light, for instance from behind to show the rim.");
+    ui::checkbox("Second light", scene.second_light, "A second light, from the side.");
     if (scene.second_light)
         light_rows(scene.second, usual.second,
                    {"Polar angle##Second light polar angle", "Azimuth##Second light azimuth",
                     "Strength##Second light strength"});
+    ui::checkbox(
+        "Rim light", scene.rim_light,
+        "A light from behind: it draws the outline and shows what the surface does at grazing angles.");
+    if (scene.rim_light)
+        light_rows(scene.rim, usual.rim,
+                   {"Polar angle##Rim light polar angle", "Azimuth##Rim light azimuth",
+                    "Strength##Rim light strength"});
     ui::checkbox("Ambient light", scene.ambient, "Light from everywhere, as strong from each direction.");
     if (scene.ambient)
         strength_row("Strength##Ambient strength", 1, scene.ambient_radiance, usual.ambient_radiance,
@@ -95,6 +113,7 @@ void scene_panel(Scene& scene) {
                 .logarithmic = false,
                 .tooltip = "Each step of 1 EV doubles the brightness."},
                scene.exposure);
+    background_rows(scene, usual);
     if (ui::button("Reset camera", "Back to the first view. Right drag orbits, the wheel zooms."))
         reset_camera(scene);
 }

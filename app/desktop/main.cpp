@@ -44,7 +44,7 @@ void run(const Arguments& arguments) {
             session.new_frame();
             ImGui_ImplGlfw_NewFrame();
             keys.press_missed();
-            for (const std::string& file : keys.take_dropped()) designer.pictures.offer(file);
+            for (const std::string& file : keys.take_dropped()) take_file(designer, file);
             ImGui::NewFrame();
             nacre::draw_frame(designer);
             keys.release_missed();

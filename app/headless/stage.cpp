@@ -38,6 +38,8 @@ void Stage::wait_for_bake() {
     do {
         frame(false);  // submits what the last input changed
     } while (!designer_->settled);
+    designer_->objects.wait();
+    frame(false);  // an object that has been made is taken
     designer_->baker.wait();
     designer_->environment.wait();
     frame(false);
@@ -104,7 +106,7 @@ void Stage::play(const Event& event, const std::string& file) {
     } else if (const auto* frames = std::get_if<events::Frames>(&event.what)) {
         for (int i = 0; i < frames->count; ++i) frame(false);
     } else if (const auto* drop = std::get_if<events::Drop>(&event.what)) {
-        designer_->pictures.offer(drop->file);
+        take_file(*designer_, drop->file);
         frame(false);
         frame(false);
     } else {

@@ -12,7 +12,6 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t programs_kept = 24;  // variants that an editing session may go back and forth between
-constexpr glm::dvec3 background{0.045, 0.047, 0.052};
 constexpr double background_slope =
     0.25;  // of surroundings: at the usual zoom about 35 degrees are in the picture
 constexpr double gathered_at_once = 250e3;  // the same, where nobody waits for a frame
@@ -60,7 +59,7 @@ const Program& Preview::program_of(const std::string& fragment) {
 const Program& Preview::surface_program() {
     const Scene& scene = frame_.scene;
     ShaderVariant variant = variant_of(tables_->shading);
-    variant.second_light = scene.second_light && lights_shine(scene);
+    variant.lights = static_cast<int>(lights_of(scene).size());
     variant.ambient = scene.ambient && lights_shine(scene) && variant.kinds.albedo;
     variant.surroundings = frame_.gathers() && scene.environment.visible;
     return program_of(fragment_shader(variant, "surface.frag"));
@@ -86,12 +85,16 @@ void Preview::draw_radiance() {
     set_uniform(program, "tangents", 2);
     set_uniform(program, "target_size", glm::dvec2(texels));
     set_uniform(program, "texels_per_unit", pixels_per_unit(scene, texels));
-    set_uniform(program, "light_direction", light_direction(scene.light));
-    set_uniform(program, "light_irradiance", lights_shine(scene) ? scene.light.irradiance : glm::dvec3(0));
-    set_uniform(program, "second_direction", light_direction(scene.second));
-    set_uniform(program, "second_irradiance", scene.second.irradiance);
+    int index = 0;
+    for (const LightSource& light : lights_of(scene)) {
+        const std::string at = "[" + std::to_string(index++) + "]";
+        set_uniform(program, ("light_direction" + at).c_str(), light_direction(light));
+        set_uniform(program, ("light_irradiance" + at).c_str(), light.irradiance);
+    }
     set_uniform(program, "ambient_radiance", scene.ambient_radiance);
-    set_uniform(program, "background", background);
+    const Backdrop backdrop = backdrop_of(scene);
+    set_uniform(program, "background", backdrop.radiance);
+    set_uniform(program, "falloff", backdrop.falls_off ? 1.0 : 0.0);
     set_uniform(program, "background_slope", background_slope);
     if (frame_.gathers()) gathering_.upload_surroundings(program, scene, 3);
     full_screen_.draw();

@@ -10,7 +10,52 @@ namespace {
 constexpr double radians = std::numbers::pi / 180;
 constexpr double sphere_part = 0.39;  // radius, of the picture's shorter side, at zoom 1
 
+constexpr glm::dvec3 wall{0.045, 0.047, 0.052};  // radiance
+constexpr double middle_grey = 0.18;
+
+// The radiance times exposure that the filmic curve of develop.frag shows as `shown`, in [0, 1]: the positive
+// root of its quadratic.
+double unfilmic(double shown) {
+    const auto curve = [](double x) {
+        return (x * (0.15 * x + 0.05) + 0.004) / (x * (0.15 * x + 0.5) + 0.06);
+    };
+    const double zero = 0.02 / 0.3;
+    const double k = shown * (curve(11.2) - zero) + zero;
+    const double a = 0.15 * (1 - k), b = 0.05 - 0.5 * k, c = 0.004 - 0.06 * k;
+    return (std::sqrt(std::max(b * b - 4 * a * c, 0.0)) - b) / (4 * a);
+}
+
+glm::dvec3 shown_background(const Scene& scene) {
+    switch (scene.background) {
+        case Background::grey:
+            return glm::dvec3(middle_grey);
+        case Background::white:
+            return glm::dvec3(1);
+        case Background::custom:
+            return scene.background_colour;
+        case Background::wall:
+        case Background::black:
+            break;
+    }
+    return glm::dvec3(0);
+}
+
 }  // namespace
+
+std::vector<LightSource> lights_of(const Scene& scene) {
+    if (!lights_shine(scene)) return {};
+    std::vector<LightSource> lights{scene.light};
+    if (scene.second_light) lights.push_back(scene.second);
+    if (scene.rim_light) lights.push_back(scene.rim);
+    return lights;
+}
+
+Backdrop backdrop_of(const Scene& scene) {
+    if (scene.background == Background::wall) return {wall, true};
+    const glm::dvec3 shown = shown_background(scene);
+    const double exposure = std::exp2(scene.exposure);
+    return {glm::dvec3(unfilmic(shown.x), unfilmic(shown.y), unfilmic(shown.z)) / exposure, false};
+}
 
 std::vector<std::string> scene_names() { return {"single", "two", "ambient", "studio"}; }
 

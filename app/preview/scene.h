@@ -37,17 +37,25 @@ struct Surroundings {
     bool operator==(const Surroundings&) const = default;
 };
 
+// The wall is lit as the object is, dark and brighter behind it; the others are shown as they are named,
+// whatever the exposure.
+enum class Background { wall, grey, black, white, custom };
+
 struct Scene {
     SceneObject object;
     LightSource light;
     bool second_light = false;
     LightSource second{75, -25, {0.9, 1.0, 1.2}};
+    bool rim_light = false;  // from behind, opposite to the main light
+    LightSource rim{128, -50, {5.5, 6.0, 7.0}};
     bool ambient = false;
     glm::dvec3 ambient_radiance{0.12};
     Surroundings environment;
     double exposure = 0;  // EV
-    double yaw = 0;       // degrees, orbit about the object's y axis
-    double pitch = 0;     // degrees, the axis leans toward the viewer
+    Background background = Background::wall;
+    glm::dvec3 background_colour{0.5, 0.5, 0.5};  // of Background::custom, linear sRGB as it is shown
+    double yaw = 0;                               // degrees, orbit about the object's y axis
+    double pitch = 0;                             // degrees, the axis leans toward the viewer
     double zoom = 1;
 
     bool operator==(const Scene&) const = default;
@@ -59,6 +67,17 @@ std::optional<Scene> scene_by_name(std::string_view name);
 
 // Whether the lights shine: where an environment does, only if they are to.
 bool lights_shine(const Scene& scene);
+
+// Those that shine, the main one first; none where an environment stands in for them.
+std::vector<LightSource> lights_of(const Scene& scene);
+
+// What surface.frag takes for the background: the radiance in its middle, and whether it falls off like the
+// wall's.
+struct Backdrop {
+    glm::dvec3 radiance{0};
+    bool falls_off = false;
+};
+Backdrop backdrop_of(const Scene& scene);
 
 // Unit vector toward a light, view space.
 glm::dvec3 light_direction(const LightSource& light);

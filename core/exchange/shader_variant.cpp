@@ -66,9 +66,9 @@ std::string variant_definitions(const ShaderVariant& variant) {
     define("DIFFUSE_LAMBERTIAN", variant.kinds.diffuse == DiffuseKind::lambertian);
     define("DIFFUSE_COUPLED", variant.kinds.diffuse == DiffuseKind::coupled);
     define("DIFFUSE_METAL", variant.kinds.diffuse == DiffuseKind::metal);
-    define("SECOND_LIGHT", variant.second_light);
     define("AMBIENT_LIGHT", variant.ambient);
     define("SURROUNDINGS", variant.surroundings);
+    text += fmt::format("#define LIGHTS {}\n", variant.lights);
     text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
     for (const char* kind : {"FRESNEL_IS_SCHLICK", "FRESNEL_IS_DIELECTRIC", "FRESNEL_IS_CONDUCTOR",
                              "VISIBILITY_IS_CORRELATED", "VISIBILITY_IS_SMITH", "READS_ALBEDO"})

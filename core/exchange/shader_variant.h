@@ -14,7 +14,7 @@ struct ShaderVariant {
     std::set<int> lobes;  // LOBE_* in use
     bool modulation = false;
     ShadingKinds kinds;
-    bool second_light = false;
+    int lights = 1;
     bool ambient = false;
     bool surroundings = false;  // an environment stands behind the object
 

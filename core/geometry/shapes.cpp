@@ -1,6 +1,7 @@
 #include "core/geometry/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -56,6 +57,22 @@ std::vector<float> tile_lines() {
     return lines;
 }
 
+// The tile's cells, cut toward the nearest corner of the tile: the other diagonal of a corner's last cell
+// runs along the rim, and its triangle would lie in the rim's plane.
+std::vector<std::uint32_t> tile_triangles(std::uint32_t side) {
+    std::vector<std::uint32_t> indices = grid_triangles(side, side);
+    const std::uint32_t cells = side - 1;
+    for (std::uint32_t row = 0; row < cells; ++row)
+        for (std::uint32_t column = 0; column < cells; ++column) {
+            if ((2 * row < cells) == (2 * column < cells)) continue;
+            const std::uint32_t a = row * side + column, b = a + 1, c = a + side, d = c + 1;
+            const std::size_t at = std::size_t{6} * (row * cells + column);
+            std::copy_n(std::array{a, b, c, b, d, c}.begin(), 6,
+                        indices.begin() + static_cast<std::ptrdiff_t>(at));
+        }
+    return indices;
+}
+
 }  // namespace
 
 Mesh torus(float tube) {
@@ -93,7 +110,7 @@ Mesh plate(const PlateShape& shape) {
                 tangent.z *= half;
                 add_domed(mesh, shape, tile, tangent);
             }
-    mesh.indices = grid_triangles(side, side);
+    mesh.indices = tile_triangles(side);
     const std::vector<std::uint32_t> front = mesh.indices;
     for (std::size_t i = 0; i < front.size(); i += 3)
         for (const std::size_t corner : {std::size_t{0}, std::size_t{2}, std::size_t{1}})

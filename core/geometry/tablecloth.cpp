@@ -59,11 +59,11 @@ Cloth draped_cloth(const RoundTable& table) {
     constexpr unsigned seed = 2000;
     const ClothMaterial material;
     Cloth cloth = flat_cloth(33, breadth, turn, seed);
-    let_fall(cloth, table, material, 3, 1.0 / 600);
+    let_fall(cloth, table, material, 2.5, 1.0 / 600);
     cloth = refined(cloth);
-    let_fall(cloth, table, material, 1.2, 1.0 / 1000);
+    let_fall(cloth, table, material, 0.8, 1.0 / 1000);
     cloth = refined(cloth);
-    let_fall(cloth, table, material, 0.35, 1.0 / 2000);
+    let_fall(cloth, table, material, 0.2, 1.0 / 2000);
     return cloth;
 }
 

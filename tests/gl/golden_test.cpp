@@ -88,6 +88,18 @@ TEST_CASE("every scene looks as it did") {
     }
 }
 
+TEST_CASE("every object looks as it did") {
+    const auto context = make_offscreen_context({16, 16});
+    const Design design = load_design(NACRE_SOURCE_DIR "/presets/satin.nacre");
+    for (const std::string& name : object_names()) {
+        if (name == "sphere") continue;
+        Scene scene = *scene_by_name("two");
+        scene.object = make_object(name);
+        scene.rim_light = true;
+        check_picture("object-" + name, render_design(design, scene, size, false));
+    }
+}
+
 TEST_CASE("the pictures show what their names promise") {
     const auto context = make_offscreen_context({16, 16});
     auto render = [](const char* name) {

@@ -42,7 +42,7 @@ std::vector<ShaderVariant> all_kinds() {
                 variant.modulation = turn % 3 == 0;
                 const bool reads = diffuse == DiffuseKind::coupled || diffuse == DiffuseKind::metal;
                 variant.kinds = {fresnel, visibility, diffuse, turn % 2 == 0, reads || turn % 5 == 0};
-                variant.second_light = turn % 2 == 1;
+                variant.lights = 1 + turn % 3;
                 variant.ambient = variant.kinds.albedo && turn % 4 < 2;
                 variants.push_back(variant);
                 ++turn;
@@ -77,8 +77,11 @@ TEST_SUITE_BEGIN("variants");
 
 TEST_CASE("glslangValidator accepts every variant") {
     std::map<std::string, std::string> shaders;
-    for (const char* whole : {"full_screen.vert", "develop.frag", "sphere.frag"})
+    for (const char* whole :
+         {"full_screen.vert", "develop.frag", "mesh.vert", "outline.frag", "coverage.frag"})
         shaders[whole] = std::string(shader_text(whole));
+    for (const char* part : {"sphere.frag", "mesh.frag"})
+        shaders[part] = std::string(shader_text("geometry.glsl")) + std::string(shader_text(part));
     int index = 0;
     for (const ShaderVariant& variant : all_kinds()) {
         shaders[fmt::format("surface-{}.frag", index)] = fragment_shader(variant, "surface.frag");
@@ -118,7 +121,7 @@ TEST_CASE("a variant's text is a function of its value, and leaves out what it d
     CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_GGX 1\n") != std::string::npos);
     CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_PAINTED 0\n") != std::string::npos);
     ShaderVariant lit = plain;
-    lit.second_light = true;
+    lit.lights = 2;
     CHECK(fragment_shader(lit, "surface.frag") != fragment_shader(plain, "surface.frag"));
 }
 

@@ -1,0 +1,38 @@
+// Makes the preview's objects on a thread of its own: a cloth takes a second to fall, a file may be large.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/preview/object.h"
+#include "core/bake/latest_job.h"
+
+namespace nacre {
+
+class ObjectShelf {
+  public:
+    ObjectShelf();
+
+    void want(const std::string& name);  // see make_object()
+
+    // What is wanted, once it is made; keeps `problem` up to date.
+    std::optional<SceneObject> poll();
+
+    // Why the newest wish could not be made, in one line; empty when it could.
+    const std::string& problem() const { return problem_; }
+    void forget_problem() { problem_.clear(); }
+
+    const std::string& wanted() const { return wanted_; }
+    bool busy() const { return waiting_; }
+    void wait() const { job_.wait(); }
+
+  private:
+    std::map<std::string, SceneObject> made_;  // without files, which may change; only the worker reads it
+    std::string wanted_ = SceneObject().name;
+    std::string problem_;
+    bool waiting_ = false;  // for an answer that has not been polled
+    LatestJob<std::string, SceneObject> job_;
+};
+
+}  // namespace nacre

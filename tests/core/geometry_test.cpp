@@ -1,0 +1,203 @@
+// The preview's objects: closed forms, orthonormal frames, and what a cloth must not do.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "core/geometry/cloth.h"
+#include "core/geometry/polygons.h"
+#include "core/geometry/shapes.h"
+#include "core/geometry/tablecloth.h"
+#include "core/geometry/triangulate.h"
+
+using namespace nacre;
+
+namespace {
+
+// Where the corners' frames are no frames, or a triangle faces away from its normals.
+int wrong_frames(const Mesh& mesh) {
+    int wrong = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3 n = mesh.normals[i], t = mesh.tangents[i];
+        if (!(std::abs(glm::length(n) - 1) < 1e-5f)) ++wrong;
+        if (t != glm::vec3(0) && !(std::abs(glm::length(t) - 1) < 1e-5f && std::abs(glm::dot(n, t)) < 1e-5f))
+            ++wrong;
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const auto a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+        const glm::vec3 across =
+            glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+        if (glm::dot(across, mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0) ++wrong;
+    }
+    return wrong;
+}
+
+bool without_tangents(const Mesh& mesh) {
+    return std::any_of(mesh.tangents.begin(), mesh.tangents.end(),
+                       [](glm::vec3 t) { return t == glm::vec3(0); });
+}
+
+double farthest(const Mesh& mesh) {
+    double r = 0;
+    for (const glm::vec3& p : mesh.positions) r = std::max(r, static_cast<double>(glm::length(p)));
+    return r;
+}
+
+// Six times the volume that a closed mesh encloses.
+double volume(const Mesh& mesh) {
+    double sum = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        sum += glm::dot(glm::dvec3(mesh.positions[mesh.indices[i]]),
+                        glm::cross(glm::dvec3(mesh.positions[mesh.indices[i + 1]]),
+                                   glm::dvec3(mesh.positions[mesh.indices[i + 2]])));
+    return sum / 6;
+}
+
+// How far threads are from their rest length, of it.
+double worst_stretch(const Cloth& cloth) {
+    double worst = 0;
+    for (int row = 0; row < cloth.side; ++row)
+        for (int column = 0; column < cloth.side; ++column)
+            for (const bool weft : {false, true}) {
+                if ((weft ? row : column) + 1 == cloth.side) continue;
+                const glm::dvec3 next = weft ? cloth.point(column, row + 1) : cloth.point(column + 1, row);
+                worst = std::max(worst,
+                                 std::abs(glm::length(next - cloth.point(column, row)) / cloth.spacing - 1));
+            }
+    return worst;
+}
+
+// A coarse one, that falls in a fraction of a second.
+Cloth fallen(unsigned seed) {
+    Cloth cloth = flat_cloth(33, 1.75, 17, seed);
+    let_fall(cloth, {}, {}, 2, 1.0 / 600);
+    return cloth;
+}
+
+}  // namespace
+
+TEST_CASE("geometry: every vertex of every shape has an orthonormal frame on its outer side") {
+    for (const Mesh& mesh :
+         {torus(), torus(0.2f), plate(), plate({0.4f, 0.3f, 0.0f}), cloth_mesh(fallen(1))}) {
+        CHECK(wrong_frames(mesh) == 0);
+        CHECK(!without_tangents(mesh));
+        CHECK(farthest(mesh) == doctest::Approx(1).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("geometry: the torus is where its equation says, with its gradient and its volume") {
+    const double tube = 0.36, ring = 1 - tube;
+    const Mesh mesh = torus(0.36f);
+    double off = 0, tilt = 0, along = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::dvec3 p(mesh.positions[i]), n(mesh.normals[i]);
+        const double r = std::hypot(p.x, p.z);
+        off = std::max(off, std::abs((r - ring) * (r - ring) + p.y * p.y - tube * tube));
+        const glm::dvec3 gradient((r - ring) * p.x / r, p.y, (r - ring) * p.z / r);
+        tilt = std::max(tilt, glm::length(n - gradient / tube));
+        // Around the axis: no part of the tangent goes outward or up.
+        along =
+            std::max(along, std::abs(glm::dot(glm::dvec3(mesh.tangents[i]), glm::dvec3(p.x, 0, p.z) / r)));
+    }
+    CHECK(off < 1e-6);
+    CHECK(tilt < 1e-6);
+    CHECK(along < 1e-6);
+    const double pi = 3.14159265358979;
+    CHECK(volume(mesh) == doctest::Approx(2 * pi * pi * ring * tube * tube).epsilon(2e-3));
+}
+
+TEST_CASE("geometry: the plate's volume is that of a rounded square, which a dome does not change") {
+    const PlateShape shape{0.5f, 0.2f, 0.0f};
+    const double pi = 3.14159265358979, a = 1.0, r = 0.2;  // Steiner's formula for a square of side a
+    const double expected = 2 * r * a * a + pi * r * r * 2 * a + 4.0 / 3 * pi * r * r * r;
+    const double scale = std::sqrt(2 * 0.5 * 0.5) + 0.2;  // the farthest point, at distance 1 after fit()
+    CHECK(volume(plate(shape)) * scale * scale * scale == doctest::Approx(expected).epsilon(5e-3));
+    const Mesh domed = plate({0.5f, 0.2f, 0.6f});
+    // The normals of the middle follow the paraboloid z = -0.6 (x^2 + y^2)/2: the tangents' slope is -0.6 x.
+    int seen = 0;
+    double worst = 0;
+    for (std::size_t i = 0; i < domed.positions.size(); ++i) {
+        const glm::vec3 n = domed.normals[i], t = domed.tangents[i];
+        if (n.z < 0.95f) continue;
+        worst = std::max(worst, static_cast<double>(std::abs(t.z / t.x + n.x / n.z)));
+        ++seen;
+    }
+    CHECK(seen > 500);
+    CHECK(worst < 2e-2);
+}
+
+TEST_CASE("cloth: the same bits twice, another seed another cloth") {
+    const auto after = [](unsigned seed) {
+        Cloth cloth = flat_cloth(33, 1.75, 17, seed);
+        let_fall(cloth, {}, {}, 0.5, 1.0 / 600);
+        return cloth.points;
+    };
+    CHECK(after(1) == after(1));
+    CHECK(after(1) != after(2));
+}
+
+TEST_CASE("cloth: it hangs, does not stretch, stays out of the table and comes to rest") {
+    const Cloth cloth = fallen(3);
+    CHECK(worst_stretch(cloth) < 0.04);
+    double depth = 1, lowest = 0, speed = 0;
+    glm::dvec3 away;
+    for (const glm::dvec3& p : cloth.points) {
+        depth = std::min(depth, distance_to_table({}, p, away));
+        lowest = std::min(lowest, p.y);
+    }
+    for (const glm::dvec3& v : cloth.velocities) speed = std::max(speed, glm::length(v));
+    CHECK(depth > 0.9 * ClothMaterial().thickness);
+    CHECK(lowest < -0.5);
+    CHECK(speed < 0.5);
+    const Cloth fine = refined(cloth);
+    CHECK(fine.side == 65);
+    CHECK(fine.point(64, 2) == cloth.point(32, 1));
+    CHECK(glm::length(fine.point(5, 4) - 0.5 * (cloth.point(2, 2) + cloth.point(3, 2))) < 1e-12);
+}
+
+TEST_CASE("cloth: a flat one becomes a flat mesh whose tangents run along the warp") {
+    const Cloth flat = flat_cloth(9, 1, 0, 1);
+    const Mesh mesh = cloth_mesh(flat);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        CHECK(mesh.normals[i].y > 0.999f);
+        CHECK(mesh.tangents[i].x > 0.999f);
+    }
+}
+
+TEST_CASE("geometry: a polygon is cut into triangles of its own area") {
+    // An L, leaning in space.
+    const std::vector<glm::dvec2> flat{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}};
+    std::vector<glm::dvec3> polygon;
+    for (const glm::dvec2& p : flat) polygon.emplace_back(p.x, 0.6 * p.y, 0.8 * p.y);
+    double area = 0;
+    for (const auto& t : triangulated(polygon)) {
+        const glm::dvec3 cross = glm::cross(polygon[t[1]] - polygon[t[0]], polygon[t[2]] - polygon[t[0]]);
+        CHECK(glm::dot(cross, glm::dvec3(0, -0.8, 0.6)) > 0);
+        area += glm::length(cross) / 2;
+    }
+    CHECK(area == doctest::Approx(4));
+    CHECK(triangulated(polygon).size() == 4);
+    CHECK(triangulated(std::vector<glm::dvec3>(7, glm::dvec3(1))).size() == 5);  // without area
+}
+
+TEST_CASE("geometry: made normals are smooth below the crease angle and sharp above it") {
+    // Two squares that meet at an angle along x = 0.
+    const auto roof = [](double slope) {
+        Triangles t;
+        const auto z = static_cast<float>(-slope);
+        t.positions = {{-1, 0, z}, {0, 0, 0}, {0, 1, 0}, {-1, 1, z}, {1, 0, z}, {1, 1, z}};
+        const auto corner = [](int p) { return Triangles::Corner{p, absent, absent}; };
+        for (const auto& f : {std::array{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}})
+            t.faces.push_back({corner(f[0]), corner(f[1]), corner(f[2])});
+        return mesh_of(t);
+    };
+    const Mesh smooth = roof(0.3), sharp = roof(2);
+    CHECK(smooth.positions.size() == 6);
+    CHECK(sharp.positions.size() == 8);  // those of the ridge stand twice
+    for (std::size_t i = 0; i < smooth.positions.size(); ++i)
+        if (smooth.positions[i].x == 0) CHECK(smooth.normals[i].z == doctest::Approx(1));
+    CHECK(wrong_frames(smooth) == 0);
+    CHECK(wrong_frames(sharp) == 0);
+}
