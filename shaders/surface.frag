@@ -3,8 +3,10 @@
 
 uniform vec2 target_size;       // texels
 uniform float texels_per_unit;  // of view space
+#if LIGHTS > 0
 uniform vec3 light_direction[LIGHTS];   // toward each light, view space
 uniform vec3 light_irradiance[LIGHTS];  // on a surface that faces it
+#endif
 #if AMBIENT_LIGHT
 uniform vec3 ambient_radiance;
 #endif
@@ -38,7 +40,9 @@ vec3 shade(mat3 frame) {
     return factor(direction(k1), viewer);
 #else
     vec3 sum = vec3(0.0);
+#if LIGHTS > 0
     for (int i = 0; i < LIGHTS; ++i) sum += lit(viewer, frame, light_direction[i], light_irradiance[i]);
+#endif
 #if AMBIENT_LIGHT
     sum += shown_albedo(viewer) * ambient_radiance;
 #endif

@@ -271,6 +271,7 @@ void draw_frame(Designer& designer) {
                     },
                 .status = [&] { draw_status(designer); }};
     if (!designer.panels) parts.panel = nullptr;
+    if (designer.plots.state.open) parts.drawer = [&] { designer.plots.draw(plot_name(document)); };
     draw_layout(designer.settings.values.layout, parts);
     draw_dialogs(designer);
     designer.environment.draw(designer.scene.environment);

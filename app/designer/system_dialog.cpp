@@ -18,7 +18,7 @@ using Purpose = ui::FileDialog::Purpose;
 
 constexpr std::size_t answer_max = 1 << 16;  // bytes of a path
 
-fs::path program_in_path(const Environment& environment, const char* name) {
+fs::path program_in_path(const EnvironmentVariables& environment, const char* name) {
     const char* path = environment("PATH");
     for (std::string_view rest = path != nullptr ? path : ""; !rest.empty();) {
         const std::size_t end = std::min(rest.find(':'), rest.size());
@@ -31,7 +31,7 @@ fs::path program_in_path(const Environment& environment, const char* name) {
     return {};
 }
 
-bool is_set(const Environment& environment, const char* variable) {
+bool is_set(const EnvironmentVariables& environment, const char* variable) {
     const char* value = environment(variable);
     return value != nullptr && *value != '\0';
 }
@@ -76,7 +76,7 @@ class SpawnActions {
 
 }  // namespace
 
-std::optional<DialogProgram> find_dialog_program(const Environment& environment) {
+std::optional<DialogProgram> find_dialog_program(const EnvironmentVariables& environment) {
     if (!is_set(environment, "DISPLAY") && !is_set(environment, "WAYLAND_DISPLAY")) return {};
     using enum DialogProgram::Kind;
     const char* desktop = environment("XDG_CURRENT_DESKTOP");

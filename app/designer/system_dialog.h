@@ -29,7 +29,7 @@ struct DialogProgram {
 };
 
 // kdialog under KDE, else zenity, else whichever of them PATH has; none without a display.
-std::optional<DialogProgram> find_dialog_program(const Environment& environment);
+std::optional<DialogProgram> find_dialog_program(const EnvironmentVariables& environment);
 
 // What it is started with, the program's own name first.
 std::vector<std::string> dialog_arguments(const DialogProgram& program, const FileQuestion& question);

@@ -6,7 +6,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The specification has relative paths ignored.
-fs::path absolute_path(const Environment& environment, const char* variable) {
+fs::path absolute_path(const EnvironmentVariables& environment, const char* variable) {
     const char* value = environment(variable);
     const fs::path path = value != nullptr ? value : "";
     return path.is_absolute() ? path : fs::path();
@@ -14,7 +14,7 @@ fs::path absolute_path(const Environment& environment, const char* variable) {
 
 }  // namespace
 
-UserFolders user_folders(const Environment& environment) {
+UserFolders user_folders(const EnvironmentVariables& environment) {
     const fs::path home = absolute_path(environment, "HOME");
     const auto folder = [&](const char* variable, const char* below_home) {
         fs::path base = absolute_path(environment, variable);

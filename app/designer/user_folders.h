@@ -15,10 +15,10 @@ struct UserFolders {
     std::filesystem::path home = {};    // where file dialogs begin
 };
 
-using Environment = std::function<const char*(const char* variable)>;  // null where it is not set
+using EnvironmentVariables = std::function<const char*(const char* variable)>;  // null where it is not set
 
 // XDG_CONFIG_HOME/nacre and so on; where such a variable is not set, or not absolute, the usual place below
 // HOME. Empty paths without either.
-UserFolders user_folders(const Environment& environment);
+UserFolders user_folders(const EnvironmentVariables& environment);
 
 }  // namespace nacre

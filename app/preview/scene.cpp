@@ -43,6 +43,7 @@ glm::dvec3 shown_background(const Scene& scene) {
 }  // namespace
 
 std::vector<LightSource> lights_of(const Scene& scene) {
+    if (!lights_shine(scene)) return {};
     std::vector<LightSource> lights{scene.light};
     if (!lights_shine(scene)) {
         lights[0].irradiance = glm::dvec3(0);

@@ -69,8 +69,8 @@ TEST_CASE("finer points change it by little, under a small sun and for a needle"
             const auto light = environment(name);
             for (const double c : {0.9, 0.15}) {
                 const dvec3 k{0.6 * std::sqrt(1 - c * c), 0.8 * std::sqrt(1 - c * c), c};
-                const double coarse = RadianceIntegral(tables, light, 2)(leaning_frame(), k).y;
-                const double fine = RadianceIntegral(tables, light, 4)(leaning_frame(), k).y;
+                const double coarse = RadianceIntegral(tables, light, 1)(leaning_frame(), k).y;
+                const double fine = RadianceIntegral(tables, light, 2)(leaning_frame(), k).y;
                 CHECK(coarse == doctest::Approx(fine).epsilon(4e-3));
             }
         }
