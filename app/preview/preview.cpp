@@ -72,7 +72,8 @@ void Preview::draw_radiance(const Scene& scene, glm::ivec2 size, int supersample
     set_uniform(program, "second_irradiance", scene.second.irradiance);
     set_uniform(program, "ambient_radiance", scene.ambient_radiance);
     set_uniform(program, "background", background);
-    // Nobody reads its alpha, and Mesa's software renderer compiles a shader that writes all of a texel twice.
+    // Nobody reads its alpha, and Mesa's software renderer compiles a shader that writes all of a texel
+    // twice.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     full_screen_.draw();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
