@@ -43,12 +43,8 @@ glm::dvec3 shown_background(const Scene& scene) {
 }  // namespace
 
 std::vector<LightSource> lights_of(const Scene& scene) {
-    if (!lights_shine(scene)) return {};
+    if (!lights_shine(scene) && !is_factor(scene.term)) return {};
     std::vector<LightSource> lights{scene.light};
-    if (!lights_shine(scene)) {
-        lights[0].irradiance = glm::dvec3(0);
-        return lights;
-    }
     if (scene.second_light) lights.push_back(scene.second);
     if (scene.rim_light) lights.push_back(scene.rim);
     return lights;

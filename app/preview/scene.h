@@ -73,7 +73,8 @@ bool gathers_light(const Scene& scene);
 // Whether the lights shine: where an environment does, only if they are to.
 bool lights_shine(const Scene& scene);
 
-// Those that are on, the main one first; it stays, dark, where the environment shines alone.
+// Those that shine, the main one first; none where an environment stands in for them, but for what shows a
+// factor of the main light.
 std::vector<LightSource> lights_of(const Scene& scene);
 
 // What surface.frag takes for the background: the radiance in its middle, and whether it falls off like the

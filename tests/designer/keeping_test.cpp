@@ -30,7 +30,7 @@ UserFolders below(const TemporaryFolder& folder) {
             .home = folder.path()};
 }
 
-Environment environment_of(std::map<std::string, std::string> variables) {
+EnvironmentVariables environment_of(std::map<std::string, std::string> variables) {
     return [variables = std::move(variables)](const char* name) {
         const auto found = variables.find(name);
         return found == variables.end() ? nullptr : found->second.c_str();
