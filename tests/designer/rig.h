@@ -11,9 +11,8 @@ namespace nacre::test {
 struct Rig {
     Stage stage;
 
-    explicit Rig(int bake_threads = 1) : Rig(glm::ivec2{1280, 800}, bake_threads) {}
-    explicit Rig(glm::ivec2 size, int bake_threads = 1)
-        : stage({.size = size, .ui_scale = 1, .bake_threads = bake_threads}) {
+    explicit Rig(int bake_threads = 1)
+        : stage({.size = {1280, 800}, .ui_scale = 1, .bake_threads = bake_threads}) {
         stage.frame();
         stage.frame();
     }
