@@ -31,8 +31,8 @@ int render(const RenderOptions& options, Interrupt& interrupt) {
     {
         Progress progress("rendering");
         image = about_file(options.design, [&] {
-            return render_design(design, scene, options.size, format == ImageFormat::exr,
-                                 interrupt.token(), [&](double done) { progress.report(done); });
+            return render_design(design, scene, options.size, format == ImageFormat::exr, interrupt.token(),
+                                 [&](double done) { progress.report(done); });
         });
     }
     interrupt.write_files([&] { write_image(options.image, image.size, image.rgb); });
