@@ -20,10 +20,9 @@ std::string text_of(std::string_view name) {
 
 // The files that a shader builds upon, in order.
 std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string_view main) {
-    if (main == "gather.frag") return {"seen.glsl", "environment.glsl", "draw.glsl"};
-    if (main != "surface.frag") return {};
-    if (variant.surroundings) return {"seen.glsl", "environment.glsl"};
-    return {"seen.glsl"};
+    if (main == "gather.frag") return {"environment.glsl", "draw.glsl"};
+    if (main == "surface.frag" && variant.surroundings) return {"environment.glsl"};
+    return {};
 }
 
 }  // namespace
