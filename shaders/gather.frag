@@ -2,6 +2,8 @@
 // those before. A sample draws one visible facet of p and one direction of light, and weighs both by the power
 // heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
 
+uniform sampler2D normals;  // as in surface.frag
+uniform sampler2D tangents;
 uniform sampler2D facet_order;
 uniform sampler2D light_order;
 uniform float light_scale;  // from the picture's radiance to the density that light is drawn with, 1/sr
@@ -65,18 +67,20 @@ float turn(uvec2 texel) {
 
 void main() {
     gathered = vec4(0.0, 0.0, 0.0, float(samples));
-    Seen seen = seen_at(ivec2(gl_FragCoord.xy));
-    if (seen.coverage <= 0.0 || seen.normal.z <= 0.0) return;
-    mat3 frame = mat3(seen.tangent, cross(seen.normal, seen.tangent), seen.normal);
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec4 seen = texelFetch(normals, texel, 0);
+    if (seen.w <= 0.0 || seen.z <= 0.0) return;
+    vec3 tangent = texelFetch(tangents, texel, 0).xyz;
+    mat3 frame = mat3(tangent, cross(seen.xyz, tangent), seen.xyz);
     Direction viewer = direction(vec3(frame[0].z, frame[1].z, frame[2].z));
     mat3 to_environment = view_to_environment * frame;
     float irradiance = all_seen(light_order, to_environment[2]);
-    float start = turn(uvec2(gl_FragCoord.xy));
+    float start = turn(uvec2(texel));
     vec3 sum = vec3(0.0);
     for (int i = first_sample; i < first_sample + samples; ++i) {
         float at = fract(start + radical_inverse(uint(i)));
         sum += by_facet(viewer, to_environment, irradiance, at);
         sum += by_light(viewer, to_environment, irradiance, fract(at + 0.5));
     }
-    gathered.rgb = environment_brightness * sum * seen.coverage;
+    gathered.rgb = environment_brightness * sum * seen.w;
 }

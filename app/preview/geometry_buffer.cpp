@@ -24,7 +24,7 @@ GeometryBuffer::GeometryBuffer()
     : sphere_(text("full_screen.vert"), text("geometry.glsl") + text("sphere.frag")),
       mesh_(text("mesh.vert"), text("geometry.glsl") + text("mesh.frag")),
       outline_(text("mesh.vert"), text("outline.frag")),
-      coverage_(text("full_screen.vert"), text("coverage.frag")) {}
+      fill_(text("full_screen.vert"), text("fill.frag")) {}
 
 bool GeometryBuffer::update(const Scene& scene, glm::ivec2 size) {
     const View view{scene.object.mesh, size, object_to_view(scene), pixels_per_unit(scene, size)};
@@ -33,6 +33,7 @@ bool GeometryBuffer::update(const Scene& scene, glm::ivec2 size) {
     if (view.mesh) {
         draw_mesh(view);
         draw_coverage(view);
+        fill(view.size);
     } else {
         target_.bind(size, GL_RGBA32F);
         use(sphere_, view);
@@ -65,8 +66,8 @@ void GeometryBuffer::draw_mesh(const View& view) {
     if (stored_ != view.mesh) triangles_.store(*view.mesh);
     stored_ = view.mesh;
     resize(view.size);
-    target_.bind(view.size, GL_RGBA32F);
-    attach(target_.name(), GL_DEPTH_ATTACHMENT, depth_.name());
+    middles_.bind(view.size, GL_RGBA32F);
+    attach(middles_.name(), GL_DEPTH_ATTACHMENT, depth_.name());
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDisable(GL_BLEND);
@@ -76,10 +77,8 @@ void GeometryBuffer::draw_mesh(const View& view) {
     use(mesh_, view);
     triangles_.draw();
     glDisable(GL_DEPTH_TEST);
-    attach(target_.name(), GL_DEPTH_ATTACHMENT, 0);  // a picture of another size would be cut to its size
 }
 
-// Into the part of the geometry buffer that holds it.
 void GeometryBuffer::draw_coverage(const View& view) {
     glBindFramebuffer(GL_FRAMEBUFFER, many_samples_.name());
     glClear(GL_COLOR_BUFFER_BIT);
@@ -89,14 +88,18 @@ void GeometryBuffer::draw_coverage(const View& view) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, many_samples_.name());
     glBlitFramebuffer(0, 0, view.size.x, view.size.y, 0, 0, view.size.x, view.size.y, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);
-    target_.bind(view.size, GL_RGBA32F);
-    glUseProgram(coverage_.name());
-    covered_.texture().bind(0);
-    set_uniform(coverage_, "coverage", 0);
-    glDrawBuffer(GL_COLOR_ATTACHMENT0);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+}
+
+void GeometryBuffer::fill(glm::ivec2 size) {
+    target_.bind(size, GL_RGBA32F);
+    glUseProgram(fill_.name());
+    middles_.texture(0).bind(0);
+    middles_.texture(1).bind(1);
+    covered_.texture().bind(2);
+    set_uniform(fill_, "normals", 0);
+    set_uniform(fill_, "tangents", 1);
+    set_uniform(fill_, "coverage", 2);
     full_screen_.draw();
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 SurfaceImage GeometryBuffer::read() const {

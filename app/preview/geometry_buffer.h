@@ -20,8 +20,7 @@ class GeometryBuffer {
     // it drew.
     bool update(const Scene& scene, glm::ivec2 size);
 
-    // xyz: normal, view space, 0 where no surface lies under the texel's middle; w: the part of the texel
-    // covered
+    // xyz: normal, view space; w: the part of the texel that the object covers
     const Texture& normals() const { return target_.texture(0); }
     const Texture& tangents() const { return target_.texture(1); }  // xyz: view space; w: z of the point
     SurfaceImage read() const;
@@ -39,11 +38,13 @@ class GeometryBuffer {
     void use(const Program& program, const View& view) const;
     void draw_mesh(const View& view);
     void draw_coverage(const View& view);
+    void fill(glm::ivec2 size);
     void resize(glm::ivec2 size);
 
-    Program sphere_, mesh_, outline_, coverage_;
+    Program sphere_, mesh_, outline_, fill_;
     FullScreen full_screen_;
     Target target_{2};
+    Target middles_{2};  // of a mesh: what stands at each texel's middle
     Renderbuffer depth_;
     Renderbuffer samples_;  // whether the mesh covers them, several a texel
     Target many_samples_{0};

@@ -20,10 +20,7 @@ std::size_t SurfaceImage::texel(glm::ivec2 pixel) const {
            4;
 }
 
-bool SurfaceImage::covered(glm::ivec2 pixel) const {
-    const float* const n = &normals_[texel(pixel)];
-    return n[3] > 0.5f && (n[0] != 0 || n[1] != 0 || n[2] != 0);
-}
+bool SurfaceImage::covered(glm::ivec2 pixel) const { return normals_[texel(pixel) + 3] > 0.5f; }
 
 std::optional<SurfacePoint> SurfaceImage::at(glm::dvec2 place) const {
     if (!(place.x >= 0 && place.y >= 0 && place.x < size_.x && place.y < size_.y)) return {};

@@ -20,10 +20,10 @@ std::string text_of(std::string_view name) {
 
 // The files that a shader builds upon, in order.
 std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string_view main) {
-    if (main == "gather.frag") return {"shown.glsl", "seen.glsl", "environment.glsl", "draw.glsl"};
+    if (main == "gather.frag") return {"shown.glsl", "environment.glsl", "draw.glsl"};
     if (main != "surface.frag") return {};
-    if (variant.surroundings) return {"shown.glsl", "seen.glsl", "environment.glsl"};
-    return {"shown.glsl", "seen.glsl"};
+    if (variant.surroundings) return {"shown.glsl", "environment.glsl"};
+    return {"shown.glsl"};
 }
 
 // The lobe that a model of shaders/shared/closed_forms.glsl is written with, if any.

@@ -17,9 +17,9 @@ struct RoundTable {
 double distance_to_table(const RoundTable& table, glm::dvec3 point, glm::dvec3& away);
 
 struct ClothMaterial {
-    double density = 0.25;    // kg/m^2
-    double shear = 8;         // N/m: woven threads turn against each other easily, and hardly stretch
-    double bending = 2.5e-4;  // N m
+    double density = 0.25;  // kg/m^2
+    double shear = 8;       // N/m: woven threads turn against each other easily, and hardly stretch
+    double bending = 1e-3;  // N m: a stiff one, whose folds stay apart
     double friction = 0.35;
     double thickness = 0.008;  // kept from the table, metres
     double rubbing = 0.2;      // part of two neighbours' relative velocity that they share in a step

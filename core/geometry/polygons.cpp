@@ -6,7 +6,6 @@
 #include <map>
 #include <numbers>
 #include <tuple>
-#include <unordered_map>
 
 namespace nacre {
 namespace {
@@ -22,7 +21,7 @@ struct Face {
     bool mirrored = false;          // v runs the other way round
 };
 
-// Empty where the face has no area.
+// False where the face has no area.
 bool measure(Face& face, const Triangles& triangles) {
     std::array<glm::dvec3, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
@@ -94,7 +93,6 @@ glm::dvec3 normal_at(const Triangles& triangles, const std::vector<Face>& faces,
         if (length > 0 && std::isfinite(length)) return given / length;
     }
     glm::dvec3 sum{0};
-    // Each face in the sum would otherwise weigh anew for each of its own corners here: a position holds one.
     meeting.at(c.position, [&](std::size_t f, std::size_t i) {
         if (glm::dot(faces[f].normal, face.normal) >= least_cosine)
             sum += faces[f].normal * faces[f].angle[i];

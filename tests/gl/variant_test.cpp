@@ -90,8 +90,7 @@ TEST_SUITE_BEGIN("variants");
 
 TEST_CASE("glslangValidator accepts every variant") {
     std::map<std::string, std::string> shaders;
-    for (const char* whole :
-         {"full_screen.vert", "develop.frag", "mesh.vert", "outline.frag", "coverage.frag"})
+    for (const char* whole : {"full_screen.vert", "develop.frag", "mesh.vert", "outline.frag", "fill.frag"})
         shaders[whole] = std::string(shader_text(whole));
     for (const char* part : {"sphere.frag", "mesh.frag"})
         shaders[part] = std::string(shader_text("geometry.glsl")) + std::string(shader_text(part));
