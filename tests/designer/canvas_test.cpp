@@ -134,7 +134,7 @@ TEST_CASE("canvas: of a painted layer the highlight that is grabbed moves by 20 
     r.play("click \"New painted layer\"\nclick \"Canvas\":@30,0\nframes 30\nclick \"Canvas\":@50,150");
     const auto mean_around = [&](double theta, double phi) {
         const Layer& layer = r.layer(1);
-        const dvec3 middle = ui::polar_direction(theta, phi);
+        const dvec3 middle = polar_direction(theta, phi);
         const Raster& raster = *std::get<PaintedLobe>(layer.lobe).image.raster;
         dvec3 sum{0};
         visit_texels(raster.width, middle, 0.19, [&](std::size_t index, dvec3 h) {
@@ -193,6 +193,6 @@ TEST_CASE("canvas: its picture has the framebuffer's pixels, however many a unit
               glm::ivec2(glm::ceil(pixels * glm::vec2(box->z - box->x, box->w - box->y))));
         // The pointer's place counts in units.
         REQUIRE(stage.designer().canvas.pointed_at());
-        CHECK(ui::polar_angle(*stage.designer().canvas.pointed_at()) == doctest::Approx(20).epsilon(0.05));
+        CHECK(polar_angle(*stage.designer().canvas.pointed_at()) == doctest::Approx(20).epsilon(0.05));
     }
 }

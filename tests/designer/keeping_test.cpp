@@ -44,7 +44,7 @@ Document painted_document() {
     auto raster = std::make_shared<Raster>(*std::get<PaintedLobe>(layer.lobe).image.raster);
     for (std::size_t i = 0; i < raster->values.size(); ++i)
         raster->values[i] = static_cast<float>(i % 1000) * 0.001f;
-    set_raster(layer, raster, 1);
+    set_raster(layer, raster, 0, 1);
     document.design.distribution.layers.push_back(layer);
     document.commit();
     return document;

@@ -26,10 +26,10 @@ TEST_CASE("Layout: a border goes where it is dragged, stays there, and goes back
     rig.stage.frame();
     CHECK(box(rig, "Preview").x == doctest::Approx(900).epsilon(0.01));
     CHECK(breadth(rig, "Canvas") + breadth(rig, "Preview") == doctest::Approx(canvas + preview));
-    const Layout dragged = rig.designer().layout;
+    const Layout dragged = rig.designer().settings.values.layout;
     CHECK(dragged != Layout());
     rig.play("move 640 300\nframes 5\n");
-    CHECK(rig.designer().layout == dragged);
+    CHECK(rig.designer().settings.values.layout == dragged);
     rig.play("click \"Canvas border\"\nclick \"Canvas border\"\nmove 640 300\n");
     rig.stage.frame();
     CHECK(breadth(rig, "Canvas") == doctest::Approx(canvas).epsilon(0.005));

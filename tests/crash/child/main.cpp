@@ -93,7 +93,8 @@ void save(const fs::path& folder) {
     for (int stroke = 1;; ++stroke) {
         for (std::size_t i = 0; i < raster->values.size(); ++i)
             raster->values[i] = static_cast<float>(std::fabs(std::sin(0.37 * double(i) + stroke)));
-        nacre::set_raster(layer, std::make_shared<nacre::Raster>(*raster), 1);
+        const double mass = nacre::raster_mass(*std::get<nacre::PaintedLobe>(layer.lobe).image.raster);
+        nacre::set_raster(layer, std::make_shared<nacre::Raster>(*raster), mass, 1);
         document.design.distribution.layers.resize(1);
         document.design.distribution.layers.push_back(layer);
         document.design.name = stroke_name(stroke);
