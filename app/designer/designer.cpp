@@ -107,6 +107,7 @@ void draw_preview(Designer& designer) {
     Scene& scene = designer.scene;
     const bool shows_model = designer.comparison.shows_model();
     if (shows_model && is_factor(scene.term)) scene.term = Term::total;
+    designer.objects.draw(scene);
     ui::term_bar(scene.term, !shows_model);
     const Design shown = shown_design(designer);
     designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);
@@ -123,7 +124,6 @@ void draw_preview(Designer& designer) {
                                      ui::use_tool(canvas, sphere, designer.document.design.distribution,
                                                   designer.layers.chosen);
                           });
-    designer.objects.draw(designer.scene);
 }
 
 // What could not be kept: it stands before the last thing done.

@@ -42,11 +42,11 @@ void ObjectChooser::draw(Scene& scene) {
         scene.object = std::move(*made);
         reset_camera(scene);
     }
-    const float gap = ImGui::GetFontSize() * 0.6f;
-    ImGui::SetCursorPos(ImVec2(gap, gap));
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});
     for (const Entry& entry : entries) {
         if (choice(entry.label, entry.tooltip, shelf_.wanted() == entry.name)) want(entry.name);
-        ImGui::SameLine(0, gap * 0.5f);
+        ImGui::SameLine(0, gap);
     }
     const bool file = names_object(shelf_.wanted()) && fs::path(shelf_.wanted()).has_extension();
     const std::string label =

@@ -1,4 +1,4 @@
-// The row of objects on the preview, and the file that one can come from.
+// The row of objects above the preview, and the file that one can come from.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,7 @@ class ObjectChooser {
     // The object appears when it is made, as seen first.
     void want(const std::string& name) { shelf_.want(name); }
 
-    // The row, from the upper left corner of the current Dear ImGui window on. Takes what has been made into
-    // the scene.
+    // The row, in the current Dear ImGui window. Takes what has been made into the scene.
     void draw(Scene& scene);
 
     // The dialog and the problem, where one is open.

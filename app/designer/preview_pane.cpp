@@ -1,7 +1,7 @@
 #include "app/designer/preview_pane.h"
 
 #include <fmt/core.h>
-#include <imgui_internal.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
@@ -77,10 +77,8 @@ void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, doub
     constexpr ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft |
                                          ImGuiButtonFlags_MouseButtonRight |
                                          ImGuiButtonFlags_MouseButtonMiddle;
-    // Widgets that stand on the picture come before it.
-    ImGui::InvisibleButton("Preview", size, buttons | ImGuiButtonFlags_AllowItemOverlap);
+    ImGui::InvisibleButton("Preview", size, buttons);
     ui::note_item("Preview");
-    ImGui::SetItemAllowOverlap();
     const bool taken = work(scene, corner, size, tool);
     handle_mouse(scene, corner, size, taken);
     if (preview_.empty()) return;

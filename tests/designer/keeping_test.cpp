@@ -3,6 +3,7 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <chrono>
 
 #include <csignal>
 #include <map>
@@ -199,6 +200,8 @@ TEST_CASE("recovery: discarded work is gone, later keeps it, damaged work is tol
     write_autosave({starter_design(), {}}, unsaved / "1-a" / autosave_name);
     fs::create_directories(unsaved / "2-b");
     write_all(unsaved / "2-b" / autosave_name, "{\"nacre_autosave\": 1}\n{\"nacre\"");
+    fs::last_write_time(unsaved / "1-a" / autosave_name,
+                        fs::last_write_time(unsaved / "2-b" / autosave_name) - std::chrono::minutes(1));
     fs::create_directories(unsaved / "3-c");  // nothing was kept
     {
         Rig r({.bake_threads = 1, .folders = below(folder)});
