@@ -31,7 +31,7 @@ std::string number(double value) {
 // positive floats only 7.038531e-26 rounds twice and misses; it is written as the double it equals.
 void append_float(std::string& text, float value) {
     char digits[32];
-    char* const end = fmt::format_to(digits, "{}", value + 0.0f);
+    const char* const end = std::to_chars(digits, std::end(digits), value + 0.0f).ptr;
     double back = 0;
     std::from_chars(digits, end, back);
     if (static_cast<float>(back) == value)

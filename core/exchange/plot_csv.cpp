@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <iterator>
-
 #include "core/exchange/csv_field.h"
 #include "core/exchange/plot_files.h"
 #include "core/model/polar_angles.h"
@@ -10,7 +8,7 @@ namespace nacre {
 namespace {
 
 // The shortest digits that read back as the same number.
-void append(std::string& text, double value) { fmt::format_to(std::back_inserter(text), ",{}", value + 0.0); }
+void append(std::string& text, double value) { text += fmt::format(",{}", value + 0.0); }
 
 std::string header_of(const Axis& axis) {
     return csv_field(axis.unit.empty() ? axis.title : axis.title + ", " + axis.unit);

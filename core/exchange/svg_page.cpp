@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <iterator>
 #include <utility>
 
 #include "core/exchange/xml_text.h"
@@ -15,7 +14,7 @@ constexpr const char* fonts = "Inter, 'Helvetica Neue', Helvetica, Arial, 'DejaV
 std::string outline(std::span<const glm::dvec2> points) {
     std::string d;
     for (const glm::dvec2& point : points)
-        fmt::format_to(std::back_inserter(d), "{}{:.1f} {:.1f}", d.empty() ? "M" : "L", point.x, point.y);
+        d += fmt::format("{}{:.1f} {:.1f}", d.empty() ? "M" : "L", point.x, point.y);
     return d;
 }
 

@@ -1,16 +1,15 @@
 #include "core/exchange/atomic_file.h"
 
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
-
+#include "tests/core/file_size_limit.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"
 
 using namespace nacre;
+using nacre::test::FileSizeLimit;
 using nacre::test::read_all;
 using nacre::test::TemporaryFolder;
 using nacre::test::user_error_of;
@@ -23,26 +22,6 @@ namespace {
 std::string error_of_writing(const fs::path& file, std::string_view bytes = "new") {
     return user_error_of([&] { write_file_atomically(file, bytes); });
 }
-
-// No file of this process may grow beyond `bytes`: what a full disk looks like to a program.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &old_);
-        const rlimit limit{bytes, old_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &old_);
-        std::signal(SIGXFSZ, old_handler_);
-    }
-
-  private:
-    rlimit old_{};
-    void (*old_handler_)(int);
-};
 
 }  // namespace
 

@@ -1,21 +1,21 @@
 // What is kept between runs: settings, recent files, unsaved work.
 #include <doctest/doctest.h>
 #include <sys/mount.h>
-#include <sys/resource.h>
 #include <unistd.h>
-#include <chrono>
 
-#include <csignal>
+#include <chrono>
 #include <map>
 
 #include "app/designer/recovery.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
 #include "core/paint/painted_layer.h"
+#include "tests/core/file_size_limit.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 
 using namespace nacre;
+using nacre::test::FileSizeLimit;
 using nacre::test::read_all;
 using nacre::test::Rig;
 using nacre::test::TemporaryFolder;
@@ -50,25 +50,6 @@ Document painted_document() {
     document.commit();
     return document;
 }
-
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &old_);
-        const rlimit limit{bytes, old_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &old_);
-        std::signal(SIGXFSZ, old_handler_);
-    }
-
-  private:
-    rlimit old_{};
-    void (*old_handler_)(int);
-};
 
 // Saving there must fail with the system's reason, and leave the file, the work and the question before it is
 // lost as they were.
