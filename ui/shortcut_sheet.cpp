@@ -25,7 +25,7 @@ SheetGroup mouse_group() {
              {"Wheel", "Closer and farther, canvas and preview."},
              {"Double click", "On a number or its label: its usual value."},
              {"Ctrl+click", "On a number: type it."},
-             {"Drop a file", "A .nacre file opens; a picture asks."}}};
+             {"Drop a file", "A .nacre or .obj file opens; a picture asks."}}};
 }
 
 std::string keys_text(const CommandInfo& info) {

@@ -28,7 +28,7 @@ struct TableArea {
     const Table& table;
 };
 
-// values(direction, out) of every direction times its weight. Past the end weights are 0 and the direction n.
+// values(direction, out) of every direction times its weight. Past the end weights are 0.
 template <class ValuesAt>
 HWY_FLATTEN HWY_ATTR void weigh(const WeightedDirections& directions, const ValuesAt& values_at,
                                 Values<4>& sum) {
@@ -36,10 +36,9 @@ HWY_FLATTEN HWY_ATTR void weigh(const WeightedDirections& directions, const Valu
     Real sums[4] = {0.0, 0.0, 0.0, 0.0};
     for (std::size_t i = 0; i < directions.size(); i += hn::Lanes(d)) {
         const std::size_t rest = directions.size() - i;
-        Lanes::real3 h(load(directions.x() + i, rest), load(directions.y() + i, rest),
-                       load(directions.z() + i, rest));
+        const Lanes::real3 h =
+            load_directions(directions.x() + i, directions.y() + i, directions.z() + i, rest);
         const Real weight = load(directions.weight() + i, rest);
-        if (rest < hn::Lanes(d)) h.z = select(LaneMask<Doubles>{hn::FirstN(d, rest)}, h.z, Real(1.0));
         Real values[4];
         values_at(h, values);
         for (int c = 0; c < 4; ++c) sums[c] += values[c] * weight;

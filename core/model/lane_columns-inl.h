@@ -26,6 +26,16 @@ HWY_ATTR inline LaneReals<Doubles> load(const double* from, std::size_t count) {
     return LaneReals<Doubles>(hn::Load(d, lanes));
 }
 
+// The first `count` directions, and n past the end.
+HWY_ATTR inline LaneReals3<Doubles> load_directions(const double* x, const double* y, const double* z,
+                                                    std::size_t count) {
+    LaneReals3<Doubles> k(load(x, count), load(y, count), load(z, count));
+    const Doubles d;
+    if (count < hn::Lanes(d))
+        k.z = select(LaneMask<Doubles>{hn::FirstN(d, count)}, k.z, LaneReals<Doubles>(1.0));
+    return k;
+}
+
 // The first `count` lanes.
 HWY_ATTR inline void store(LaneReals<Doubles> value, double* to, std::size_t count) {
     const Doubles d;

@@ -23,7 +23,7 @@ HWY_FLATTEN HWY_ATTR void densities(const LobeForm& lobe, const DirectionColumns
     const std::size_t width = hn::Lanes(Doubles());
     for (std::size_t i = 0; i < h.size; i += width) {
         const std::size_t rest = h.size - i;
-        const Lanes::real3 at(load(h.x + i, rest), load(h.y + i, rest), load(h.z + i, rest));
+        const Lanes::real3 at = load_directions(h.x + i, h.y + i, h.z + i, rest);
         store(shading.lobe_density(layer, at), p + i, rest);
     }
 }
