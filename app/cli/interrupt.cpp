@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto grace = 500ms;
+constexpr auto grace = 200ms;
 constexpr timespec between_looks{.tv_sec = 0, .tv_nsec = 50'000'000};
 
 // A signal that was ignored when the program began (nohup, a shell's background job) stays so.

@@ -14,6 +14,7 @@
 #include "app/preview/preview.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 
 using namespace nacre;
@@ -23,12 +24,6 @@ namespace {
 
 struct Rig : test::Rig {
     const GaussianLobe& gaussian() { return std::get<GaussianLobe>(layers()[0].lobe); }
-};
-
-struct TemporaryFolder {
-    fs::path path = fs::temp_directory_path() / ("nacre-designer-test-" + std::to_string(std::rand()));
-    TemporaryFolder() { fs::create_directories(path); }
-    ~TemporaryFolder() { fs::remove_all(path); }
 };
 
 }  // namespace
@@ -119,9 +114,9 @@ TEST_CASE("preview mouse: a mirror's highlight lies under the pointer") {
 }
 
 TEST_CASE("designer: save as, overwrite question, open") {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     Rig r;
-    const std::string file = (folder.path / "mine").string();
+    const std::string file = (folder / "mine").string();
     r.play("drag \"Width x\":0.5 \"Width x\":0.3 5\nkey Ctrl+S\nframes 5\nkey Ctrl+A\ntext \"" + file +
            "\"\nkey Enter\nframes 5");
     REQUIRE(fs::exists(file + ".nacre"));
@@ -136,15 +131,15 @@ TEST_CASE("designer: save as, overwrite question, open") {
     CHECK(load_design(file + ".nacre") == r.document().design);  // its own file: no question
     CHECK(load_design(file + ".nacre") != saved);
 
-    std::ofstream(folder.path / "other.nacre") << "{\"nacre\": 1}";
+    std::ofstream(folder / "other.nacre") << "{\"nacre\": 1}";
     r.play(
         "key Ctrl+Shift+S\nframes 5\nkey Ctrl+A\ntext \"other\"\nkey Enter\nframes 5\nclick "
         "\"Cancel\"\nframes 5\nkey Escape\nframes 3");
-    CHECK(load_design(folder.path / "other.nacre") == Design{});
+    CHECK(load_design(folder / "other.nacre") == Design{});
     r.play(
         "key Ctrl+Shift+S\nframes 5\nkey Ctrl+A\ntext \"other\"\nkey Enter\nframes 5\nclick "
         "\"Overwrite\"\nframes 5");
-    CHECK(load_design(folder.path / "other.nacre") == r.document().design);
+    CHECK(load_design(folder / "other.nacre") == r.document().design);
 
     r.play("key Ctrl+O\nframes 5\ntext \"mine.nacre\"\nkey Enter\nframes 5");
     CHECK(r.document().file == file + ".nacre");
@@ -165,12 +160,11 @@ TEST_CASE("designer: unsaved work is not lost without a question") {
 }
 
 TEST_CASE("designer: a file that cannot be read is told, and the work stays") {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path / "broken.nacre") << "{\"nacre\": 1,";
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "broken.nacre") << "{\"nacre\": 1,";
     Rig r;
     const Design before = r.document().design;
-    r.play("key Ctrl+O\nframes 5\ntext \"" + (folder.path / "broken.nacre").string() +
-           "\"\nkey Enter\nframes 5");
+    r.play("key Ctrl+O\nframes 5\ntext \"" + (folder / "broken.nacre").string() + "\"\nkey Enter\nframes 5");
     CHECK(r.stage.designer().files.talking());
     r.play("key Enter\nframes 5");
     CHECK(!r.stage.designer().files.talking());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/exchange/image_file.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 
 using namespace nacre;
@@ -13,9 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Rig : test::Rig {
-    fs::path folder = fs::temp_directory_path() / ("nacre-environment-test-" + std::to_string(std::rand()));
-    Rig() : test::Rig(2) { fs::create_directories(folder); }
-    ~Rig() { fs::remove_all(folder); }
+    test::TemporaryFolder folder;
+    Rig() : test::Rig(2) {}
     Surroundings& surroundings() { return designer().scene.environment; }
     std::string drop(const char* name) { return "drop \"" + (folder / name).string() + "\"\nframes 3\n"; }
 };

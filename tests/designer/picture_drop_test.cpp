@@ -14,6 +14,7 @@
 #include "core/exchange/image_file.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/painted_layer.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 
 using namespace nacre;
@@ -22,9 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Rig : test::Rig {
-    fs::path folder = fs::temp_directory_path() / ("nacre-drop-test-" + std::to_string(std::rand()));
-    Rig() : test::Rig(2) { fs::create_directories(folder); }
-    ~Rig() { fs::remove_all(folder); }
+    test::TemporaryFolder folder;
+    Rig() : test::Rig(2) {}
     std::string quoted(const char* name) { return "\"" + (folder / name).string() + "\""; }
 };
 
