@@ -14,12 +14,9 @@
 namespace nacre {
 namespace {
 
-constexpr float panel_least = 20, panel_most = 40;         // text sizes, ...
-constexpr float panel_most_part = 0.4f;                    // ... and of the window's breadth
-constexpr float canvas_least = 0.25f, canvas_most = 0.8f;  // of the breadth beside the panel
-constexpr float grip_ems = 0.55f;    // breadth of what takes hold of a border, text sizes
-constexpr float drawer_least = 14;   // height, text sizes
-constexpr float drawer_most = 0.6f;  // of the height above the status line
+constexpr float panel_most_part = 0.4f;  // of the window's breadth
+constexpr float grip_ems = 0.55f;        // breadth of what takes hold of a border, text sizes
+constexpr float drawer_most = 0.6f;      // of the height above the status line
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoSavedSettings;
@@ -114,7 +111,7 @@ void draw_drawer(Layout& layout, const Parts& parts, const Column& column) {
     ImGui::Begin("Drawer", nullptr, flags);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float up = drawer_border(column.left, column.top, column.breadth);
-    if (up != 0) layout.drawer = (column.height + up) / ImGui::GetFontSize();
+    if (up != 0) layout.drawer = std::max((column.height + up) / ImGui::GetFontSize(), drawer_least);
     ImGui::SetCursorScreenPos(corner);
     parts.drawer();
     ImGui::End();

@@ -8,10 +8,13 @@
 namespace nacre {
 
 // Where the borders stand, for windows and scales of any size: all that is worth keeping between runs.
+inline constexpr float panel_least = 20, panel_most = 40;
+inline constexpr float canvas_least = 0.25f, canvas_most = 0.8f;
+inline constexpr float drawer_least = 14;
 struct Layout {
     float panel = 21.5f;   // breadth in text sizes
     float canvas = 0.5f;   // part of the breadth beside the panel
-    float drawer = 17.5f;  // height in text sizes
+    float drawer = 17.5f;  // height in text sizes; no more of it is shown than the window has room for
     bool operator==(const Layout&) const = default;
 };
 

@@ -13,7 +13,6 @@
 #include "app/designer/preview_mouse.h"
 #include "app/gl/gl.h"
 #include "app/preview/probe.h"
-#include "core/paint/colour_map.h"
 #include "ui/compare_overlay.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"

@@ -8,6 +8,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int version = 1;
+constexpr double drawer_largest = 1000;  // text sizes: more than any screen has
 
 void read_path(ObjectReader& object, std::string_view key, fs::path& path) {
     std::string text;
@@ -15,14 +16,18 @@ void read_path(ObjectReader& object, std::string_view key, fs::path& path) {
     path = text;
 }
 
+void read_border(ObjectReader& object, std::string_view key, Range range, float& border) {
+    double value = static_cast<double>(border);
+    object.number(key, value, range);
+    border = static_cast<float>(value);
+}
+
 Settings read_settings(ObjectReader& object) {
     Settings settings;
     object.required("nacre_settings", "the version of the settings").whole_number(version, version);
-    double panel = 0, canvas = 0;
-    object.number("panel", panel, {0, 10'000});
-    object.number("canvas", canvas, {0, 1});
-    settings.layout.panel = static_cast<float>(panel);
-    settings.layout.canvas = static_cast<float>(canvas);
+    read_border(object, "panel", {panel_least, panel_most}, settings.layout.panel);
+    read_border(object, "canvas", {canvas_least, canvas_most}, settings.layout.canvas);
+    read_border(object, "drawer", {drawer_least, drawer_largest}, settings.layout.drawer);
     object.flag("system_dialogs", settings.system_dialogs);
     read_path(object, "design_folder", settings.design_folder);
     read_path(object, "picture_folder", settings.picture_folder);
@@ -35,6 +40,7 @@ std::string settings_text(const Settings& settings) {
     std::string text = fmt::format("{{\n  \"nacre_settings\": {},\n", version);
     text += fmt::format("  \"panel\": {},\n", settings.layout.panel);
     text += fmt::format("  \"canvas\": {},\n", settings.layout.canvas);
+    text += fmt::format("  \"drawer\": {},\n", settings.layout.drawer);
     const auto path = [&](const char* key, const fs::path& value) {
         if (value.empty()) return;
         if (const auto json = json_path(value)) text += fmt::format("  \"{}\": {},\n", key, *json);

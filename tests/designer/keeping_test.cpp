@@ -88,21 +88,31 @@ TEST_CASE("settings: what is set is there again") {
     {
         SettingsFile file(folder / "a/b");
         CHECK(file.problem().empty());
-        file.values.layout = {.panel = 301.5f, .canvas = 0.375f};
+        file.values.layout = {.panel = 31.7f, .canvas = 0.375f, .drawer = 22.1f};
         file.values.system_dialogs = false;
         file.values.picture_folder = "/pictures/\"odd\" \u00e4";
         file.keep();
     }
     const SettingsFile file(folder / "a/b");
-    CHECK(file.values.layout == Layout{301.5f, 0.375f});
+    CHECK(file.values.layout == Layout{31.7f, 0.375f, 22.1f});
     CHECK(!file.values.system_dialogs);
     CHECK(file.values.picture_folder == "/pictures/\"odd\" \u00e4");
 }
 
+TEST_CASE("settings: what a file does not say is as in a first run") {
+    const TemporaryFolder folder;
+    write_all(folder / "settings.json", "{\"nacre_settings\": 1, \"system_dialogs\": false}");
+    const SettingsFile file(folder.path());
+    CHECK(file.problem().empty());
+    CHECK(file.values.layout == Layout{});
+    CHECK(!file.values.system_dialogs);
+}
+
 TEST_CASE("settings: a damaged file is told in one line and kept") {
     const TemporaryFolder folder;
-    for (const std::string damaged : {"{\"nacre_settings\": 1, \"panel\": ", "[]", "{\"nacre_settings\": 9}",
-                                      "\xff\xfe", "{\"nacre_settings\": 1, \"panel\": \"wide\"}"}) {
+    for (const std::string damaged :
+         {"{\"nacre_settings\": 1, \"panel\": ", "[]", "{\"nacre_settings\": 9}", "\xff\xfe",
+          "{\"nacre_settings\": 1, \"panel\": \"wide\"}", "{\"nacre_settings\": 1, \"panel\": 0}"}) {
         write_all(folder / "settings.json", damaged);
         SettingsFile file(folder.path());
         CAPTURE(damaged);
@@ -113,7 +123,7 @@ TEST_CASE("settings: a damaged file is told in one line and kept") {
         file.keep();
         CHECK(!SettingsFile(folder.path()).values.system_dialogs);
     }
-    for (int i = 1; i <= 5; ++i) CHECK(fs::exists(folder / ("settings.json.damaged-" + std::to_string(i))));
+    for (int i = 1; i <= 6; ++i) CHECK(fs::exists(folder / ("settings.json.damaged-" + std::to_string(i))));
     CHECK(read_all(folder / "settings.json.damaged-2") == "[]");
 }
 
