@@ -105,7 +105,7 @@ void PreviewPane::draw_marks(const Scene& scene, ImVec2 corner, ImVec2 size) {
     if (look.view == ui::CompareView::divider) ui::draw_divider(look.divider, corner, size);
     if (look.view != ui::CompareView::off) ui::side_labels(look.labels[0], look.labels[1], corner, size);
     if (!is_factor(scene.term) || look.view == ui::CompareView::difference) return;
-    const FactorScale scale = preview_.shown_scale(scene);
+    const FactorScale scale = preview_.shown_scale();
     const ScaleEnds ends = ends_in_words(scene.term, scale);
     ui::scale_legend({.title = info(scene.term).label,
                       .low = ends.low,

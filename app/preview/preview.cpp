@@ -164,7 +164,10 @@ void Preview::develop(Target& target, const Development& how) {
 void Preview::develop_as_seen() {
     Development how{.exposure = std::exp2(frame_.scene.exposure)};
     // A factor's scale holds the exposure.
-    if (is_factor(frame_.scene.term)) how = {.factor = shown_scale(frame_.scene)};
+    if (is_factor(frame_.scene.term)) {
+        if (!given_scale_) drawn_scale_ = scale(frame_.scene);
+        how = {.factor = shown_scale()};
+    }
     develop(developed_, how);
 }
 

@@ -61,9 +61,10 @@ class Preview {
     // first.
     std::vector<float> numbers();
 
-    // How the factor that a scene shows becomes colours; another scale than its own, to compare.
+    // How the factor that a scene shows becomes colours; what was drawn last, or another scale than its own,
+    // to compare.
     FactorScale scale(const Scene& scene) const;
-    FactorScale shown_scale(const Scene& scene) const { return given_scale_.value_or(scale(scene)); }
+    FactorScale shown_scale() const { return given_scale_.value_or(drawn_scale_); }
     void use_scale(const std::optional<FactorScale>& scale) { given_scale_ = scale; }
 
     // What lies under the pixels of a picture of this size: read back when the object, the camera or the size
@@ -99,6 +100,7 @@ class Preview {
     std::shared_ptr<const Tables> tables_;
     std::shared_ptr<const ClosedForm> model_;
     std::optional<FactorScale> given_scale_;
+    FactorScale drawn_scale_;  // of its own: looking for the peak of p takes a part of a frame
     Texture data_;
     FullScreen full_screen_;
     Program develop_;
