@@ -9,6 +9,7 @@
 
 #include "ui/balance_buttons.h"
 #include "ui/canvas_paint.h"
+#include "ui/canvas_tools.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
@@ -16,33 +17,6 @@
 
 namespace nacre::ui {
 namespace {
-
-struct ToolEntry {
-    CanvasTool tool;
-    const char* name;
-    char key;
-    const char* tooltip;
-};
-
-constexpr ToolEntry tools[] = {
-    {CanvasTool::handles, "Handles", 'V',
-     "Shape lobes by their handles (V): the middle leans a lobe, its ends widen it, its outline turns it."},
-    {CanvasTool::grab, "Grab", 'G',
-     "Take hold of a highlight, here or on the sphere, and carry it along (G): of the layer that is "
-     "strongest "
-     "there a painted hill follows up to the valleys about it, a lobe as a whole."},
-    {CanvasTool::paint, "Paint", 'B',
-     "Paint facets (B), here or on the sphere. On a lobe that is no painted one a "
-     "new "
-     "painted layer begins."},
-    {CanvasTool::erase, "Erase", 'E', "Take facets away (E)."},
-    {CanvasTool::smooth, "Smooth", 'S', "Soften what is painted (S)."},
-    {CanvasTool::smear, "Smear", 'M', "Push paint along (M)."},
-    {CanvasTool::stamp, "Stamp", 'T', "Stamp a picture, as broad as the brush (T)."},
-    {CanvasTool::line, "Line", 'L', "A line from press to release (L)."},
-    {CanvasTool::ring, "Ring", 'R', "A ring about the press (R): a halo."},
-    {CanvasTool::star, "Star", 'K', "Rays from the press that taper off (K): a sparkle."},
-};
 
 constexpr const char* symmetries[] = {"No symmetry", "Mirror x", "Mirror y",
                                       "Mirror both", "Turns",    "Full ring"};
@@ -72,7 +46,7 @@ void tool_button(CanvasState& state, const ToolEntry& entry) {
             ImGui::GetStyle().FrameRounding);
     draw_tool_icon(entry.tool, corner, side,
                    ImGui::GetColorU32(chosen ? palette::accent_bright : palette::text));
-    tooltip_for_item(entry.tooltip);
+    tooltip_for_item(tool_tooltip(entry).c_str());
 }
 
 void view_buttons(CanvasState& state) {
@@ -117,7 +91,8 @@ struct WholeRange {
     int least, most, reset;
 };
 
-void whole_number(const char* name, const char* format, const WholeRange& range, float breadth, int& number) {
+void whole_number(const char* name, const char* format, const WholeRange& range, float breadth,
+                  const char* text, int& number) {
     double value = number;
     const SliderSpec spec{.label = name,
                           .low = double(range.least),
@@ -127,7 +102,7 @@ void whole_number(const char* name, const char* format, const WholeRange& range,
                           .reset = double(range.reset),
                           .format = format,
                           .logarithmic = false,
-                          .tooltip = nullptr};
+                          .tooltip = text};
     if (bar(spec, breadth, value)) number = static_cast<int>(std::lround(value));
 }
 
@@ -155,17 +130,27 @@ void tool_number(CanvasState& state, float breadth) {
         choice("Stamp picture", index, names, breadth, "The picture to stamp with: white paints.");
         state.stamp = static_cast<std::size_t>(index);
     } else if (state.tool == CanvasTool::star) {
-        whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, breadth, state.rays);
+        whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, breadth, "How many rays the star has.",
+                     state.rays);
     } else {
-        percent("Hardness", "hard %.0f %%", "How much of the brush covers in full, from its middle.", breadth,
-                Brush{}.hardness, state.brush.hardness);
+        percent("Hardness", "hard %.0f %%",
+                "How much of the brush covers in full, from its middle; from there to the edge it fades.",
+                breadth, Brush{}.hardness, state.brush.hardness);
     }
+}
+
+// Of each of the three numbers, so that the whole row fits on one line wherever it can.
+float number_breadth(float others) {
+    const float size = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x - others;
+    return std::clamp(room / 3, size * 4.4f, size * 6.2f);
 }
 
 void brush_row(CanvasState& state, Distribution& distribution) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
-    const bool turns = state.symmetry.kind == SymmetryKind::turns;
-    const float breadth = size * (turns ? 5.5f : 6.2f), menu = size * 8;
+    const bool turned = state.symmetry.kind == SymmetryKind::turns;
+    const float menu = breadth_of("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
+    const float breadth =
+        number_breadth(menu + breadth_of(balance_text) + 4 * gap + (turned ? turns + gap : 0));
     bar({.label = "Brush radius",
          .low = brush_radius_least,
          .high = brush_radius_most,
@@ -174,22 +159,26 @@ void brush_row(CanvasState& state, Distribution& distribution) {
          .reset = Brush{}.radius,
          .format = "r %.1f\u00b0",
          .logarithmic = true,
-         .tooltip = "The brush's radius on the hemisphere; the keys [ and ] change it."},
+         .tooltip =
+             "The brush's radius on the hemisphere, degrees from its middle to its edge; the keys [ and ] "
+             "change it."},
         breadth, state.brush.radius);
     flow(breadth, gap);
     tool_number(state, breadth);
     flow(breadth, gap);
-    percent("Flow", "flow %.0f %%", "How much one touch of the brush does.", breadth, Brush{}.flow,
-            state.brush.flow);
+    percent("Flow", "flow %.0f %%",
+            "How much one touch of the brush does: low flow builds up stroke by stroke.", breadth,
+            Brush{}.flow, state.brush.flow);
     flow(menu, gap);
     int kind = static_cast<int>(state.symmetry.kind);
     choice("Symmetry", kind, {std::begin(symmetries), std::end(symmetries)}, menu,
-           "Copies of each stroke about the layer's axis.");
+           "Copies of each stroke about the layer's axis: mirrored, turned, or all around, as for a surface "
+           "that looks the same from all sides.");
     state.symmetry.kind = static_cast<SymmetryKind>(kind);
-    if (turns) {
-        flow(size * 3.2f, gap);
-        whole_number("Turns", "\u00d7 %.0f", {turns_least, turns_most, BrushSymmetry{}.turns}, size * 3.2f,
-                     state.symmetry.turns);
+    if (turned) {
+        flow(turns, gap);
+        whole_number("Turns", "\u00d7 %.0f", {turns_least, turns_most, BrushSymmetry{}.turns}, turns,
+                     "How many copies stand about the axis, evenly turned.", state.symmetry.turns);
     }
     flow(breadth_of(balance_text), gap);
     balance_button(state, distribution);
@@ -213,17 +202,11 @@ void take_keys(CanvasState& state) {
     if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || ImGui::IsAnyMouseDown() ||
         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return;
-    for (const ToolEntry& entry : tools)
+    for (const ToolEntry& entry : canvas_tools())
         if (ImGui::IsKeyPressed(entry.key, false)) state.tool = entry.tool;
 }
 
 }  // namespace
-
-std::vector<std::pair<std::string, std::string>> tool_shortcuts() {
-    std::vector<std::pair<std::string, std::string>> shortcuts;
-    for (const ToolEntry& entry : tools) shortcuts.emplace_back(std::string(1, entry.key), entry.name);
-    return shortcuts;
-}
 
 void resize_brush(CanvasState& state, int steps) {
     state.brush.radius =
@@ -233,7 +216,7 @@ void resize_brush(CanvasState& state, int steps) {
 void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
     take_keys(state);
     bool first = true;
-    for (const ToolEntry& entry : tools) {
+    for (const ToolEntry& entry : canvas_tools()) {
         if (!first)
             flow(ImGui::GetFrameHeight(),
                  entry.tool == CanvasTool::paint || entry.tool == CanvasTool::line ? scaled(8) : scaled(2));

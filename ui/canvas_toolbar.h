@@ -1,19 +1,12 @@
 // The buttons above the canvas: tools, the brush's numbers, how p is shown.
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "ui/hemisphere_canvas.h"
 
 namespace nacre::ui {
 
 // Two rows, or more where the canvas is narrow. Takes the keys of the tools.
 void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen);
-
-// The tools' keys and names.
-std::vector<std::pair<std::string, std::string>> tool_shortcuts();
 
 // Makes the brush's radius larger by so many steps of a key, or smaller.
 void resize_brush(CanvasState& state, int steps);

@@ -8,10 +8,10 @@ namespace {
 
 constexpr const char* model_names[] = {"None", "Lambertian", "Coupled", "Metal"};
 constexpr const char* model_tooltip =
-    "Light that comes back without a mirror reflection. Lambertian: fixed shares kd and ks. Coupled: the "
-    "diffuse "
-    "part takes exactly what the highlight leaves, so it fades toward grazing angles as lacquer does. Metal: "
-    "light that bounces between facets, in the metal's own colour.";
+    "Light that comes back without a mirror reflection. Lambertian: fixed shares, kd albedo/\u03c0 + ks "
+    "specular. Coupled: the diffuse part takes exactly what the highlight leaves, so it fades toward grazing "
+    "angles as lacquer does: albedo c (1 \u2212 R(k1))(1 \u2212 R(k2)) (eq. 28). Metal: light that bounces "
+    "between facets, the same in the metal's own colour.";
 constexpr const char* albedo_tooltip =
     "Directional albedo of the diffuse part: how much of the light that reaches it comes back, per colour. "
     "Linear values; the swatch picks as displayed.";

@@ -10,9 +10,12 @@ namespace {
 
 constexpr const char* model_names[] = {"Schlick", "Dielectric", "Conductor", "None"};
 constexpr const char* model_tooltip =
-    "How much a facet mirrors at each angle. Schlick: one colour f0, rising to white at grazing angles. "
-    "Dielectric: glass, plastic, lacquer by index of refraction. Conductor: metals by measured eta and k. "
-    "None: a perfect mirror, to study the distribution alone.";
+    "F(k\u00b7h), how much a facet mirrors at each angle. Schlick: one colour f0, rising to white at grazing "
+    "angles, F = f0 + (1 \u2212 f0)(1 \u2212 k\u00b7h)\u2075 (eq. 31). Dielectric: glass, plastic, lacquer "
+    "by "
+    "index of refraction; conductor: metals by measured eta and k; both by Fresnel's exact equations. None: "
+    "a "
+    "perfect mirror, F = 1, to study the distribution alone.";
 
 double dielectric_f0(double ior) {
     const double r = (ior - 1) / (ior + 1);
@@ -74,31 +77,36 @@ struct FresnelFields {
         return colour(
             "f0", schlick.f0, SchlickFresnel{}.f0,
             "Reflected colour when looking straight at a facet. About 0.04 (dark grey) for plastics and "
-            "glass, strong and coloured for metals. Linear values; the swatch picks as displayed.");
+            "glass, strong and coloured for metals. F = f0 + (1 \u2212 f0)(1 \u2212 k\u00b7h)\u2075. Linear "
+            "values; the swatch picks as displayed.");
     }
     bool operator()(DielectricFresnel& dielectric) const {
-        return slider({.label = "Refraction",
-                       .low = 1,
-                       .high = 2.5,
-                       .least = limits::ior_min,
-                       .most = limits::ior_max,
-                       .reset = DielectricFresnel{}.ior,
-                       .format = "%.3f",
-                       .logarithmic = false,
-                       .tooltip = "Index of refraction: water 1.33, plastic 1.5, diamond 2.4."},
-                      dielectric.ior);
+        return slider(
+            {.label = "Refraction",
+             .low = 1,
+             .high = 2.5,
+             .least = limits::ior_min,
+             .most = limits::ior_max,
+             .reset = DielectricFresnel{}.ior,
+             .format = "%.3f",
+             .logarithmic = false,
+             .tooltip = "Index of refraction: water 1.33, plastic 1.5, diamond 2.4. More mirrors more: "
+                        "((n \u2212 1)/(n + 1))\u00b2 straight on, 4 % for 1.5."},
+            dielectric.ior);
     }
     bool operator()(ConductorFresnel& conductor) const {
-        const bool eta = slider({.label = "eta",
-                                 .low = 0.05,
-                                 .high = 10,
-                                 .least = limits::eta_min,
-                                 .most = limits::eta_max,
-                                 .reset = 1,
-                                 .format = "%.3g",
-                                 .logarithmic = true,
-                                 .tooltip = "Real part of the index of refraction for red, green and blue."},
-                                conductor.eta);
+        const bool eta = slider(
+            {.label = "eta",
+             .low = 0.05,
+             .high = 10,
+             .least = limits::eta_min,
+             .most = limits::eta_max,
+             .reset = 1,
+             .format = "%.3g",
+             .logarithmic = true,
+             .tooltip = "Real part of the index of refraction eta + i k for red, green and blue. Straight "
+                        "on a facet mirrors ((eta \u2212 1)\u00b2 + k\u00b2)/((eta + 1)\u00b2 + k\u00b2)."},
+            conductor.eta);
         return slider({.label = "k",
                        .low = 0,
                        .high = 10,
@@ -107,7 +115,10 @@ struct FresnelFields {
                        .reset = 3,
                        .format = "%.3g",
                        .logarithmic = false,
-                       .tooltip = "Imaginary part, the absorption, for red, green and blue."},
+                       .tooltip =
+                           "Imaginary part, the absorption, for red, green and blue: the larger, the more "
+                           "mirror-like. ((eta \u2212 1)\u00b2 + k\u00b2)/((eta + 1)\u00b2 + k\u00b2) "
+                           "straight on."},
                       conductor.k) ||
                eta;
     }

@@ -1,12 +1,22 @@
 #include "ui/item_map.h"
 
 namespace nacre::ui {
+namespace {
+
+ItemMap* listener() { return static_cast<ItemMap*>(ImGui::GetIO().UserData); }
+
+}  // namespace
 
 ItemMap::ItemMap() { ImGui::GetIO().UserData = this; }
 
 ItemMap::~ItemMap() {
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().UserData == this)
         ImGui::GetIO().UserData = nullptr;
+}
+
+void ItemMap::clear() {
+    rectangles_.clear();
+    tooltip_.clear();
 }
 
 void ItemMap::note(std::string_view name, ImVec2 low, ImVec2 high) {
@@ -19,6 +29,12 @@ std::optional<ImVec4> ItemMap::rectangle(std::string_view name) const {
     return found->second;
 }
 
+std::vector<std::string> ItemMap::names() const {
+    std::vector<std::string> result;
+    for (const auto& [name, rectangle] : rectangles_) result.push_back(name);
+    return result;
+}
+
 std::string_view visible_text(std::string_view label) { return label.substr(0, label.find("##")); }
 
 std::string_view item_name(std::string_view label) {
@@ -29,7 +45,11 @@ std::string_view item_name(std::string_view label) {
 void note_item(std::string_view label) { note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
 
 void note_part(std::string_view label, ImVec2 low, ImVec2 high) {
-    if (auto* map = static_cast<ItemMap*>(ImGui::GetIO().UserData)) map->note(item_name(label), low, high);
+    if (auto* map = listener()) map->note(item_name(label), low, high);
+}
+
+void note_tooltip(std::string_view text) {
+    if (auto* map = listener()) map->note_tooltip(text);
 }
 
 }  // namespace nacre::ui

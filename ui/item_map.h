@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace nacre::ui {
 
@@ -19,13 +20,17 @@ class ItemMap {
     ItemMap(const ItemMap&) = delete;
     ItemMap& operator=(const ItemMap&) = delete;
 
-    void clear() { rectangles_.clear(); }
+    void clear();
     void note(std::string_view name, ImVec2 low, ImVec2 high);
+    void note_tooltip(std::string_view text) { tooltip_ = text; }
     // Left, top, right, bottom; pixels.
     std::optional<ImVec4> rectangle(std::string_view name) const;
+    std::vector<std::string> names() const;
+    const std::string& tooltip() const { return tooltip_; }  // that is shown; empty without one
 
   private:
     std::map<std::string, ImVec4, std::less<>> rectangles_;
+    std::string tooltip_;
 };
 
 // "Polar angle##second light angle" shows what stands before ## and is named by what stands after it.
@@ -37,5 +42,8 @@ void note_item(std::string_view label);
 
 // The same for a part of a widget that has a name of its own.
 void note_part(std::string_view label, ImVec2 low, ImVec2 high);
+
+// Reports the tooltip of this frame.
+void note_tooltip(std::string_view text);
 
 }  // namespace nacre::ui

@@ -10,11 +10,20 @@
 namespace nacre::ui {
 namespace {
 
-constexpr const char* width_along_x =
-    "Width of the lobe along x (the tangent), as a slope: 0.01 is polished, 0.1 satin, 1 rough. "
-    "Half vectors tilted by this slope are 1/e as frequent as the middle.";
-constexpr const char* width_along_y =
-    "Width along y (the bitangent). Unequal widths stretch the highlight: brushed metal, hair, cloth.";
+constexpr const char* sigma_x =
+    "\u03c3x, the lobe's width along x (the tangent) as a slope: 0.01 is polished, 0.1 satin, 1 rough. "
+    "Facets "
+    "of this slope are 1/e as frequent as the middle: p ~ exp(\u2212(slope/\u03c3x)\u00b2).";
+constexpr const char* sigma_y =
+    "\u03c3y, the width along y (the bitangent). Unequal widths stretch the highlight across the wider one: "
+    "brushed metal, hair, cloth. p ~ exp(\u2212(slope/\u03c3y)\u00b2).";
+constexpr const char* alpha_x =
+    "\u03b1x, the roughness along x (the tangent) as a slope: 0.01 is polished, 0.1 satin, 1 rough. The "
+    "slopes "
+    "of the surface spread as far as \u03b1x; the formula stands at the lobe's kind.";
+constexpr const char* alpha_y =
+    "\u03b1y, the roughness along y (the bitangent). Unequal ones stretch the highlight across the rougher "
+    "direction: brushed metal, hair, cloth.";
 
 SliderSpec width_spec(const char* label, const char* tooltip) {
     return {.label = label,
@@ -45,14 +54,14 @@ struct LobeFields {
     CurveView& curve;
 
     bool operator()(GaussianLobe& lobe) const {
-        const bool x = slider_or_infinity(width_spec("Width x", width_along_x), lobe.sigma_x);
-        return slider_or_infinity(width_spec("Width y", width_along_y), lobe.sigma_y) || x;
+        const bool x = slider_or_infinity(width_spec("Width x", sigma_x), lobe.sigma_x);
+        return slider_or_infinity(width_spec("Width y", sigma_y), lobe.sigma_y) || x;
     }
     bool operator()(InverseGaussianLobe& lobe) const {
         SliderSpec spec =
             width_spec("Width",
-                       "How far the fibres lean from upright, as a slope: small widths leave only "
-                       "the rim glowing.");
+                       "\u03c3: how far the fibres lean from upright, as a slope: small widths leave only "
+                       "the rim glowing. p ~ exp(\u2212cot\u00b2\u03b8/\u03c3\u00b2).");
         spec.reset = InverseGaussianLobe{}.sigma;
         return slider(spec, lobe.sigma);
     }
@@ -76,8 +85,8 @@ struct LobeFields {
 
   private:
     static bool alphas(double& x, double& y) {
-        const bool changed = slider(width_spec("Roughness x", width_along_x), x);
-        return slider(width_spec("Roughness y", width_along_y), y) || changed;
+        const bool changed = slider(width_spec("Roughness x", alpha_x), x);
+        return slider(width_spec("Roughness y", alpha_y), y) || changed;
     }
 };
 
@@ -92,16 +101,21 @@ bool lobe_editor(Lobe& lobe, CurveView& curve) {
 }
 
 bool orientation(Layer& layer) {
-    bool changed = slider(angle_spec("Rotation", -180, 180, limits::angle_max,
-                                     "Turns the lobe about its own axis, from x toward y."),
-                          layer.rotation);
-    changed |=
-        slider(angle_spec("Tilt", 0, 90, limits::tilt_max,
-                          "Then leans the lobe's axis away from the surface normal. Slanted fibres and the "
-                          "sides of grooves are tilted lobes."),
-               layer.tilt);
+    bool changed = slider(
+        angle_spec("Rotation", -180, 180, limits::angle_max,
+                   "Turns the lobe about its own axis, from x toward y: a stretched highlight turns with "
+                   "it. h is turned back about z before p is asked."),
+        layer.rotation);
+    changed |= slider(
+        angle_spec("Tilt", 0, 90, limits::tilt_max,
+                   "Then leans the lobe's axis away from the surface normal by this angle \u03b8, and the "
+                   "highlight moves to the other side. Slanted fibres and the sides of grooves are tilted "
+                   "lobes."),
+        layer.tilt);
     changed |= slider(angle_spec("Azimuth", -180, 180, limits::angle_max,
-                                 "The direction toward which it leans, from x toward y."),
+                                 "The direction toward which it leans: the axis is (sin \u03b8 cos \u03c6, "
+                                 "sin \u03b8 sin \u03c6, cos "
+                                 "\u03b8), \u03c6 from x toward y."),
                       layer.azimuth);
     return changed;
 }
@@ -111,16 +125,19 @@ bool modulation(Layer& layer) {
     ImGui::Spacing();
     heading("Modulated by a picture");
     text_row("Picture", picture_text(layer.modulation->image));
-    bool changed = slider({.label = "Strength",
-                           .low = 0,
-                           .high = 1,
-                           .least = 0,
-                           .most = 1,
-                           .reset = 1,
-                           .format = "%.2f",
-                           .logarithmic = false,
-                           .tooltip = "How much of the picture multiplies the lobe: 0 none, 1 all."},
-                          layer.modulation->strength);
+    bool changed = slider(
+        {.label = "Strength",
+         .low = 0,
+         .high = 1,
+         .least = 0,
+         .most = 1,
+         .reset = 1,
+         .format = "%.2f",
+         .logarithmic = false,
+         .tooltip =
+             "How much of the picture multiplies the lobe: p times (1 \u2212 strength + strength \u00b7 "
+             "picture), made 1 in all again."},
+        layer.modulation->strength);
     if (button("Remove picture##Remove modulation", "Leave the lobe as it is without the picture.")) {
         layer.modulation.reset();
         changed = true;
@@ -140,18 +157,18 @@ std::string picture_text(const Picture& picture) {
 bool layer_editor(Layer& layer, CurveView& curve) {
     bool changed = text_field("Name##Layer name", layer.name, lobe_names()[layer.lobe.index()],
                               "A name of your own for the list.");
-    changed |=
-        slider({.label = "Weight",
-                .low = 0,
-                .high = 1,
-                .least = 0,
-                .most = limits::weight_max,
-                .reset = 1,
-                .format = "%.3g",
-                .logarithmic = false,
-                .tooltip = "This layer's share of the facets' area, relative to the other layers' weights. "
-                           "Ctrl+click to type any number."},
-               layer.weight);
+    changed |= slider(
+        {.label = "Weight",
+         .low = 0,
+         .high = 1,
+         .least = 0,
+         .most = limits::weight_max,
+         .reset = 1,
+         .format = "%.3g",
+         .logarithmic = false,
+         .tooltip = "This layer's share of the facets' area, relative to the other layers' weights: p = "
+                    "\u2211 w p / \u2211 w, each layer's p of integral 1. Ctrl+click to type any number."},
+        layer.weight);
     changed |= lobe_editor(layer.lobe, curve);
     ImGui::Spacing();
     changed |= orientation(layer);

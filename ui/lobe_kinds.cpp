@@ -13,13 +13,24 @@ constexpr std::array<const char*, std::variant_size_v<Lobe>> names = {
 
 constexpr std::array<const char*, std::variant_size_v<Lobe>> explanations = {
     "Facets cluster around the normal; the highlight of most polished and brushed surfaces. An infinite "
-    "width makes a cylinder, as threads or grooves do.",
-    "Velvet: facets stand upright like fibres, dark when seen from above, glowing at the rim.",
-    "A sharp core with a long haze around it; today's common choice for metals.",
-    "Like the Gaussian, with the theory of rough random surfaces behind it.",
-    "Facets look everywhere equally: matt, like pressed powder.",
-    "p as a curve over the angle from the normal: a core with its haze, halos, a flat top.",
-    "p as a picture of the hemisphere seen from above."};
+    "width makes a cylinder, as threads or grooves do.\n"
+    "p ~ exp(\u2212tan\u00b2\u03b8 (cos\u00b2\u03c6/\u03c3x\u00b2 + sin\u00b2\u03c6/\u03c3y\u00b2)) "
+    "(Ashikhmin 2000, eq. 34)",
+    "Velvet: facets stand upright like fibres, dark when seen from above, glowing at the rim.\n"
+    "p ~ exp(\u2212cot\u00b2\u03b8/\u03c3\u00b2) (Ashikhmin 2000, eq. 35)",
+    "A sharp core with a long haze around it; today's common choice for metals.\n"
+    "p ~ 1/(x\u00b2/\u03b1x\u00b2 + y\u00b2/\u03b1y\u00b2 + z\u00b2)\u00b2 of the facet normal (x, y, "
+    "z) "
+    "(Walter 2007, eq. 33; Heitz 2014, eq. 85)",
+    "Like the Gaussian, with the theory of rough random surfaces behind it.\n"
+    "p ~ exp(\u2212tan\u00b2\u03b8 (cos\u00b2\u03c6/\u03b1x\u00b2 + "
+    "sin\u00b2\u03c6/\u03b1y\u00b2))/cos\u2074\u03b8 (Walter 2007, eq. 25)",
+    "Facets look everywhere equally: matt, like pressed powder.\n"
+    "p = 1/(2\u03c0) over the hemisphere, 1/(4\u03c0) over the sphere",
+    "p as a curve over the angle from the normal: a core with its haze, halos, a flat top.\n"
+    "p ~ the curve at \u03b8, straight lines between its points",
+    "p as a picture of the hemisphere seen from above.\n"
+    "p ~ the picture's brightness at (x, y)/\u221a(1 + z) of the facet normal (x, y, z)"};
 
 constexpr int painted_size = 256;  // pixels a side of a new painted layer
 constexpr double dab_width = 0.2;  // of its first dab, as the slope of a Gaussian

@@ -52,6 +52,8 @@ bool note_field(std::string& text) {
             storage.SetInt(key, reading);
     }
     note_item("Note text");
+    tooltip_for_item(
+        "Where this design comes from and what it is for; it is kept in the file. A click edits it.");
     return changed;
 }
 

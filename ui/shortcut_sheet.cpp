@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "ui/canvas_toolbar.h"
+#include "ui/canvas_tools.h"
 #include "ui/commands.h"
 #include "ui/dialogs.h"
 #include "ui/key_press.h"
@@ -69,7 +69,9 @@ std::vector<SheetGroup> shortcut_groups() {
     std::vector<SheetGroup> groups;
     for (const CommandInfo& info : all_commands())
         if (info.keys != nullptr) group(groups, info.menu).lines.push_back({keys_text(info), info.about});
-    for (const auto& [keys, about] : tool_shortcuts()) group(groups, "Tools").lines.push_back({keys, about});
+    for (const ToolEntry& entry : canvas_tools())
+        group(groups, "Tools")
+            .lines.push_back({std::string(1, entry.key), std::string(entry.name) + ". " + entry.about});
     groups.push_back(mouse_group());
     return groups;
 }

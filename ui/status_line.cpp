@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -18,6 +19,48 @@ void dot(const Colour& colour) {
     ImGui::SameLine();
 }
 
+void part(const char* name, const std::string& text, const Colour& colour, const std::string& about) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    note_item(name);
+    tooltip_for_item(about.c_str());
+}
+
+// The next part stands where it would after `widest`, so that nothing moves while numbers change.
+void next_part(const char* widest) {
+    const float left = ImGui::GetItemRectMin().x - ImGui::GetWindowPos().x;
+    ImGui::SameLine(left + ImGui::CalcTextSize(widest).x + ImGui::GetFontSize());
+}
+
+void tables_parts(const TablesStatus& baked) {
+    part("Quality", baked.quality, palette::text_dim,
+         "A draft follows the hand, within some parts in a hundred; the final tables come when it rests, "
+         "within "
+         "a thousandth or as near as they can.");
+    next_part("Draft");
+    part("Validity", baked.validity, baked.valid ? palette::text_dim : palette::amber,
+         baked.valid
+             ? "The mean facet normal lies along n, as on every real surface: \u222b h p(h) dh is "
+               "parallel to n, and facets show as much area as the surface has."
+             : "The mean facet normal \u222b h p(h) dh leans away from n: seen from one side the "
+               "facets show more area than the surface has. While Keep energy is on, visibility is held "
+               "at 1 there, so nothing reflects more than it gets, but the highlight is dimmer on that "
+               "side. Balance and Straighten bring the mean to n.");
+    next_part("p leans 90.0\u00b0");
+    std::string list = "What neither tables nor shader need for this design, and so do without:";
+    for (const std::string& line : baked.left_out) list += "\n\u2013 " + line;
+    part("Left out", std::to_string(baked.left_out.size()) + " left out", palette::text_dim, list);
+    next_part("10 left out");
+    part(
+        "Baked tables", baked.tables, palette::text_dim,
+        "What was baked for this picture: nodes of each table along the angle from the normal and around it; "
+        "the symmetry that was used; memory; the time it took; "
+        "and "
+        "the worst errors, measured between the nodes: of the projected area g(k) = \u222b max(h\u00b7k, 0) "
+        "p(h) dh, in parts of itself, and of the albedo R(k), in parts of the light that falls in.");
+}
+
 void right_aligned(const std::string& text, float kept_free) {
     const float left = ImGui::GetWindowWidth() - kept_free - ImGui::CalcTextSize(text.c_str()).x -
                        ImGui::GetStyle().WindowPadding.x;
@@ -32,28 +75,17 @@ float status_height() { return ImGui::GetFontSize() * 1.9f; }
 void status_line(const Status& status) {
     const bool refused = !status.problem.empty();
     dot(refused ? palette::red : status.working ? palette::amber : palette::accent);
-    if (refused) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette::red);
-        ImGui::TextUnformatted(status.problem.c_str());
-        ImGui::PopStyleColor();
-        if (ImGui::IsItemHovered()) tooltip(status.problem.c_str());
-        return;
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
-    ImGui::TextUnformatted(status.tables.empty() ? "baking\u2026" : status.tables.c_str());
-    tooltip_for_item(
-        "What was baked for this picture: draft or final; nodes of each table along the angle from the "
-        "normal and around it; the symmetry that was used; memory; time; and the worst errors, measured "
-        "between the nodes: of the projected area g, in parts of itself, and of the albedo R, in parts of "
-        "the "
-        "light that falls in.");
-    if (!status.warning.empty()) ImGui::PushStyleColor(ImGuiCol_Text, palette::amber);
-    right_aligned(status.warning.empty() ? status.message : status.warning, status.kept_free);
-    if (!status.warning.empty()) {
-        ImGui::PopStyleColor();
-        if (ImGui::IsItemHovered()) tooltip(status.warning.c_str());
-    }
+    if (refused) return part("Problem", status.problem, palette::red, status.problem);
+    if (status.baked)
+        tables_parts(*status.baked);
+    else
+        part("Baked tables", "baking\u2026", palette::text_dim,
+             "The first tables of this design are on the way.");
+    const bool warned = !status.warning.empty();
+    ImGui::PushStyleColor(ImGuiCol_Text, warned ? palette::amber : palette::text_dim);
+    right_aligned(warned ? status.warning : status.message, status.kept_free);
     ImGui::PopStyleColor();
+    if (warned) tooltip_for_item(status.warning.c_str());
 }
 
 }  // namespace nacre::ui

@@ -73,6 +73,7 @@ void set_field_colours(ImGuiStyle& style) {
     c[ImGuiCol_TextSelectedBg] = {0.30f, 0.45f, 0.45f, 1};
     c[ImGuiCol_DragDropTarget] = accent_bright;
     c[ImGuiCol_NavHighlight] = accent;
+    c[ImGuiCol_PlotHistogram] = accent_dim;
 }
 
 void set_window_colours(ImGuiStyle& style) {

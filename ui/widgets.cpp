@@ -23,6 +23,7 @@ std::string hidden(const char* label) { return "##" + std::string(item_name(labe
 }  // namespace
 
 void tooltip(const char* text) {
+    note_tooltip(text);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(8)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tooltip_ems);
@@ -34,8 +35,9 @@ void tooltip(const char* text) {
 
 void tooltip_for_item(const char* text) {
     if (text == nullptr || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const ImGuiContext& context = *ImGui::GetCurrentContext();
-    if (context.HoveredIdTimer > tooltip_delay && !ImGui::IsAnyMouseDown()) tooltip(text);
+    // Dear ImGui counts the rest only over what can be clicked.
+    const bool rested = ImGui::GetItemID() == 0 || ImGui::GetCurrentContext()->HoveredIdTimer > tooltip_delay;
+    if (rested && !ImGui::IsAnyMouseDown()) tooltip(text);
 }
 
 bool row_label(const char* label, const char* tooltip_text) {
@@ -46,7 +48,7 @@ bool row_label(const char* label, const char* tooltip_text) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
     const bool hovered = ImGui::IsItemHovered();
-    if (tooltip_text != nullptr && hovered) tooltip(tooltip_text);
+    tooltip_for_item(tooltip_text);
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + label_ems * ImGui::GetFontSize());
     ImGui::SetNextItemWidth(-FLT_MIN);

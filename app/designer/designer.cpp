@@ -39,7 +39,8 @@ void draw_presets(Designer& designer) {
 }
 
 void draw_material(Design& design) {
-    ui::text_field("Name##Design name", design.name, "Untitled", "The design's name.");
+    ui::text_field("Name##Design name", design.name, "Untitled",
+                   "The design's name: it stands in the window's title and in every export.");
     ImGui::Spacing();
     ui::fresnel_panel(design.fresnel);
     ImGui::Spacing();
@@ -135,7 +136,9 @@ std::string warning(const Designer& designer) {
 }
 
 void draw_status(Designer& designer) {
-    ui::status_line({.tables = designer.tables_text,
+    std::optional<ui::TablesStatus> baked;
+    if (designer.tables) baked = status_of(*designer.tables);
+    ui::status_line({.baked = std::move(baked),
                      .message = designer.files.message(),
                      .problem = designer.baker.problem(),
                      .warning = warning(designer),
@@ -173,7 +176,6 @@ void ask(Designer& designer) {
 void follow_bake(Designer& designer) {
     const auto longest = designer.preview.has_picture() ? patience : first_patience;
     if (auto tables = designer.baker.poll(longest)) {
-        designer.tables_text = tables_text(*tables);
         designer.tables = tables;
         designer.plots.show(tables);
         designer.preview.show(std::move(tables));

@@ -73,7 +73,6 @@ struct Designer {
     double changed_at = 0;    // ... when it last changed, seconds on Dear ImGui's clock, ...
     bool settled = true;      // ... and whether it rests, so that final tables are worth their time
     std::shared_ptr<const Tables> tables;  // that the preview shows
-    std::string tables_text;               // the shown tables, for the status line
     std::optional<ui::CanvasTool> tool_before_erase;
 };
 

@@ -46,9 +46,12 @@ std::string Document::stem() const {
 }
 
 std::string Document::title() const {
-    const std::string name = design.name.empty() ? "Untitled" : design.name;
-    const std::string where = file.empty() ? "" : " \u2013 " + file.filename().string();
-    return (unsaved() ? "\u25cf " : "") + name + where;
+    std::string text = file.filename().string();
+    if (!design.name.empty())
+        text = text.empty() ? design.name : design.name + " \u2013 " + text;
+    else if (text.empty())
+        text = "Untitled";
+    return (unsaved() ? "\u25cf " : "") + text;
 }
 
 }  // namespace nacre

@@ -53,8 +53,10 @@ void light_rows(LightSource& light, const LightSource& usual, const LightLabels&
                 .logarithmic = false,
                 .tooltip = "Where the light stands around the view: 0 right, 90 above, 180 left."},
                light.phi);
-    strength_row(labels.strength, 10, light.irradiance, usual.irradiance,
-                 "How bright the light is: \u03c0 shows a white matt surface that faces it as white.");
+    strength_row(
+        labels.strength, 10, light.irradiance, usual.irradiance,
+        "How bright the light is, its irradiance E: \u03c0 shows a white matt surface that faces it as "
+        "white. Radiance = BRDF \u00b7 E cos \u03b8.");
 }
 
 void background_rows(Scene& scene, const Scene& usual) {
@@ -66,7 +68,8 @@ void background_rows(Scene& scene, const Scene& usual) {
             "What stands behind the object. The wall follows the exposure; the others stay as they are."))
         scene.background = static_cast<Background>(index);
     if (scene.background == Background::custom)
-        ui::colour("Colour##Background colour", scene.background_colour, usual.background_colour);
+        ui::colour("Colour##Background colour", scene.background_colour, usual.background_colour,
+                   "The colour behind the object. Linear values; the swatch picks as displayed.");
 }
 
 void lights(Scene& scene) {
@@ -85,7 +88,8 @@ void lights(Scene& scene) {
         light_rows(scene.rim, usual.rim,
                    {"Polar angle##Rim light polar angle", "Azimuth##Rim light azimuth",
                     "Strength##Rim light strength"});
-    ui::checkbox("Ambient light", scene.ambient, "Light from everywhere, as strong from each direction.");
+    ui::checkbox("Ambient light", scene.ambient,
+                 "Light from everywhere, as strong from each direction: radiance = L R(k).");
     if (scene.ambient)
         strength_row("Strength##Ambient strength", 1, scene.ambient_radiance, usual.ambient_radiance,
                      "How bright the light from everywhere is.");
@@ -111,7 +115,7 @@ void scene_panel(Scene& scene) {
                 .reset = usual.exposure,
                 .format = "%+.2f EV",
                 .logarithmic = false,
-                .tooltip = "Each step of 1 EV doubles the brightness."},
+                .tooltip = "Brightness of the picture: each step of 1 EV doubles it, radiance \u00b7 2^EV."},
                scene.exposure);
     background_rows(scene, usual);
     if (ui::button("Reset camera", "Back to the first view. Right drag orbits, the wheel zooms."))

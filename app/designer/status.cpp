@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include "core/model/polar_angles.h"
+#include "ui/canvas_grid.h"
+
 namespace nacre {
 namespace {
 
@@ -9,23 +12,35 @@ std::string size_text(const Tables& tables) {
     const auto& plan = tables.plan;
     const std::string nodes = plan.nodes.psi > 1 ? fmt::format("{} \u00d7 {}", plan.nodes.w, plan.nodes.psi)
                                                  : fmt::format("{}", plan.nodes.w);
+    const Symmetry symmetry = plan.symmetry.symmetry;
     const double kilobytes = static_cast<double>(tables.table_floats() * sizeof(float)) / 1024;
-    return fmt::format("{} nodes, {}, {:.1f} kB", nodes, name_of(plan.symmetry.symmetry), kilobytes);
+    return fmt::format("{} nodes, {}, {:.1f} kB", nodes,
+                       symmetry == Symmetry::none ? "no symmetry" : name_of(symmetry), kilobytes);
 }
 
-std::string time_text(double seconds) {
+std::string time_text(const Tables& tables) {
+    const double seconds = tables.made_seconds;
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1e3) : fmt::format("{:.1f} s", seconds);
+}
+
+std::string error_text(const Tables& tables) {
+    std::string text = fmt::format("g within {:.2g} %", tables.errors.area.worst * 100);
+    if (tables.plan.albedo) text += fmt::format(", R within {:.2g} %", tables.errors.albedo.worst * 100);
+    return text;
 }
 
 }  // namespace
 
-std::string tables_text(const Tables& tables) {
-    const bool draft = tables.plan.quality == Quality::draft;
-    std::string text =
-        fmt::format("{}   {}   {}", draft ? "Draft" : "Final", size_text(tables), time_text(tables.seconds));
-    text += fmt::format("   g within {:.2g} %", tables.errors.area.worst * 100);
-    if (tables.plan.albedo) text += fmt::format(", R within {:.2g} %", tables.errors.albedo.worst * 100);
-    return text;
+ui::TablesStatus status_of(const Tables& tables) {
+    ui::TablesStatus status;
+    status.quality = tables.plan.quality == Quality::draft ? "Draft" : "Final";
+    status.tables = fmt::format("{}   {}   {}", size_text(tables), time_text(tables), error_text(tables));
+    for (const Omission& omission : tables.plan.omissions)
+        status.left_out.push_back(omission.what + ": " + omission.why);
+    const double lean = polar_angle(tables.mean);
+    status.valid = lean < ui::lean_noticed;
+    status.validity = status.valid ? "p valid" : fmt::format("p leans {:.1f}\u00b0", lean);
+    return status;
 }
 
 }  // namespace nacre

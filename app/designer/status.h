@@ -1,12 +1,11 @@
 // Tables in a few words for the status line.
 #pragma once
 
-#include <string>
-
 #include "core/bake/tables.h"
+#include "ui/status_line.h"
 
 namespace nacre {
 
-std::string tables_text(const Tables& tables);
+ui::TablesStatus status_of(const Tables& tables);
 
 }  // namespace nacre

@@ -13,6 +13,8 @@
 namespace nacre {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 // What of the tolerance the errors at the measured directions may take; the rest is for those between them.
 constexpr double area_part = 0.75, albedo_part = 0.8;
 
@@ -74,6 +76,10 @@ bool better(const Fitted<AreaTable>& a, const Fitted<AreaTable>& b, double targe
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
     return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size &&
            a.symmetry == b.symmetry;
+}
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 }  // namespace
@@ -209,8 +215,10 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
         before && same_wishes(before->options, made.options) && same_area(before->design, made.design);
     const bool keep_albedo = keep_area && before->albedo && same_albedo(before->design, made.design);
     area_origin_ = albedo_origin_ = TableOrigin::kept;
+    const auto begin = Clock::now();
     if (keep_area) {
         made.area = before->area;
+        made.area_seconds = before->area_seconds;
         made.area_error = before->area_error;
         made.fitted_error = before->fitted_error;
         made.tried_area = before->tried_area;
@@ -218,20 +226,24 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
         made.plan.nodes.psi = before->plan.nodes.psi;
     } else {
         make_area(made, now, material, workers);
+        made.area_seconds = seconds_since(begin);
     }
     if (keep_albedo) {
         made.albedo = before->albedo;
+        made.albedo_seconds = before->albedo_seconds;
         made.tried_albedo = before->tried_albedo;
         made.plan.nodes.v = before->plan.nodes.v;
         made.plan.nodes.rho = before->plan.nodes.rho;
     } else if (made.plan.albedo) {
+        const auto area_made = Clock::now();
         make_albedo(made, material, workers);
+        made.albedo_seconds = seconds_since(area_made);
     }
 }
 
 std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions& options,
                                           std::stop_token stop, const std::function<void(double)>& progress) {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     Workers workers(options.threads, std::move(stop));
     auto report = [&](double done) {
         workers.check();
@@ -253,7 +265,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     before_ = made.design.distribution;
     distribution_ = made.area->distribution();
     slot = std::move(made);
-    tables->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    tables->seconds = seconds_since(begin);
     report(1);
     return tables;
 }
@@ -266,6 +278,7 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     tables.mean = tables.distribution->mean();
     tables.data = made.area->data();
     tables.tolerance = made.options.tolerance;
+    tables.made_seconds = made.area_seconds + made.albedo_seconds;
     tables.errors.area = made.area_error.all;
     tables.tried_area = made.tried_area;
     if (made.albedo) {

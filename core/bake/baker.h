@@ -39,6 +39,7 @@ class Baker {
         double fitted_error = 0;  // worst of g when the grid was fitted to p
         std::shared_ptr<const AlbedoTable> albedo = {};
         std::vector<TriedSize> tried_area = {}, tried_albedo = {};
+        double area_seconds = 0, albedo_seconds = 0;  // that it took to make them
     };
 
     // What lobes the new distribution shares with the one before.

@@ -44,7 +44,7 @@ struct Run {
 template <class Move, class Drawn>
 Run hold_button(nacre::Stage& stage, double seconds, const Move& move, const Drawn& drawn) {
     Run run;
-    std::string shown = stage.designer().tables_text;
+    auto shown = stage.designer().tables;
     const auto begin = Clock::now();
     auto next = begin;
     while (Clock::now() - begin < std::chrono::duration<double>(seconds)) {
@@ -53,8 +53,8 @@ Run hold_button(nacre::Stage& stage, double seconds, const Move& move, const Dra
         stage.frame();
         glFinish();
         drawn(start, run);
-        if (const std::string& now = stage.designer().tables_text; now != shown) {
-            ++(now.starts_with("Final") ? run.finals : run.drafts);
+        if (const auto& now = stage.designer().tables; now != shown) {
+            ++(now->plan.quality == nacre::Quality::final ? run.finals : run.drafts);
             shown = now;
         }
         next = std::max(next + frame_time, Clock::now());

@@ -54,15 +54,17 @@ TEST_SUITE_BEGIN("baker");
 TEST_CASE("a colour bakes nothing, and the tables are those of a new bake") {
     Baker baker;
     Design design = two_layers();
-    baker.bake(design);
+    const auto first = baker.bake(design);
     CHECK(baker.area_origin() == TableOrigin::baked);
     CHECK(baker.albedo_origin() == TableOrigin::baked);
+    CHECK(first->made_seconds > 0);
     std::get<CoupledDiffuse>(design.diffuse).albedo = {0.9, 0.1, 0.2};
     std::get<SchlickFresnel>(design.fresnel).f0 = {0.5, 0.4, 0.3};
     design.distribution.layers[0].name = "renamed";
     const auto kept = baker.bake(design);
     CHECK(baker.area_origin() == TableOrigin::kept);
     CHECK(baker.albedo_origin() == TableOrigin::kept);
+    CHECK(kept->made_seconds == first->made_seconds);
     check_same(*kept, *bake(design));
 }
 
