@@ -6,6 +6,7 @@
 
 #include "tests/cli/child_process.h"
 #include "tests/cli/design_on_disk.h"
+#include "tests/cli/stopping.h"
 
 using namespace nacre;
 using namespace nacre::test;
@@ -69,11 +70,8 @@ TEST_CASE("Ctrl+C ends a report within a second and leaves no folder") {
     const TemporaryFolder folder;
     const DesignOnDisk design(slanted_velvet(true));
     for (const double after : {1.0, 3.0}) {
-        const Finished finished = run_cli({"report", design.path(), "-o", folder / "report"},
-                                          {.signal = SIGINT, .signal_after = after});
-        CHECK(finished.code == 1);
-        CHECK(finished.err == "nacre-cli: stopped\n");
-        CHECK(finished.seconds_after_signal < 1);
+        check_stops_within_a_second({"report", design.path(), "-o", folder / "report"},
+                                    {.signal = SIGINT, .signal_after = after});
         CHECK(folder.size() == 0);
     }
 }
