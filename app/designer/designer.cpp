@@ -95,7 +95,7 @@ void draw_panel(Designer& designer) {
     tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
     tab("Material", [&] { draw_material(design); });
     tab("Light", [&] {
-        designer.environment.rows(designer.scene.environment);
+        designer.environment.rows(designer.scene.environment, file_dialogs(designer));
         scene_panel(designer.scene);
     });
     tab("Compare", [&] { draw_compare(designer); });
@@ -108,7 +108,7 @@ void draw_preview(Designer& designer) {
     Scene& scene = designer.scene;
     const bool shows_model = designer.comparison.shows_model();
     if (shows_model && is_factor(scene.term)) scene.term = Term::total;
-    designer.objects.draw(scene);
+    designer.objects.draw(scene, file_dialogs(designer));
     ui::term_bar(scene.term, !shows_model);
     const Design shown = shown_design(designer);
     designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);
@@ -145,12 +145,6 @@ void draw_status(Designer& designer) {
                      .working = designer.baker.busy(),
                      .kept_free = ui::plots_switch_width() + 2 * ImGui::GetFontSize()});
     ui::plots_switch(designer.plots.state);
-}
-
-// A saved plot is named after the design's file.
-std::string plot_name(const Document& document) {
-    const std::filesystem::path& named = document.file.empty() ? document.preset : document.file;
-    return named.empty() ? "untitled" : named.stem().string();
 }
 
 // While p is dragged or painted a draft follows; what it rests on is baked to the end.
@@ -218,6 +212,8 @@ void draw_dialogs(Designer& designer) {
         tell(designer, designer.plots.saving.draw());
     else if (designer.objects.talking())
         designer.objects.talk();
+    else if (designer.environment.talking())
+        designer.environment.talk();
     else
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
     if (auto surroundings = designer.pictures.take_surroundings())
@@ -273,10 +269,11 @@ void draw_frame(Designer& designer) {
                     },
                 .status = [&] { draw_status(designer); }};
     if (!designer.panels) parts.panel = nullptr;
-    if (designer.plots.state.open) parts.drawer = [&] { designer.plots.draw(plot_name(document)); };
+    if (designer.plots.state.open)
+        parts.drawer = [&] { designer.plots.draw(document.stem(), file_dialogs(designer)); };
     draw_layout(designer.settings.values.layout, parts);
+    designer.environment.follow(designer.scene.environment);
     draw_dialogs(designer);
-    designer.environment.draw(designer.scene.environment);
 
     // One step of undo for each drag or typed text: it ends when nothing is held.
     if (!ImGui::IsAnyItemActive()) document.commit();
@@ -286,9 +283,10 @@ void draw_frame(Designer& designer) {
 }
 
 bool in_motion(const Designer& designer) {
-    return !designer.settled || designer.environment.busy() || designer.objects.busy() ||
-           designer.preview.gathering() || designer.files.has_answer() || designer.exporter.in_motion() ||
-           designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();
+    return !designer.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
+           designer.plots.saving.in_motion() || designer.preview.gathering() || designer.files.has_answer() ||
+           designer.exporter.in_motion() || designer.pictures_of_preview.in_motion() ||
+           designer.thumbnails.busy();
 }
 
 void finish(Designer& designer) {

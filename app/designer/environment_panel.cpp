@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/designer/folder.h"
 #include "core/exchange/environment_file.h"
 #include "core/light/procedural.h"
 #include "ui/item_map.h"
@@ -19,8 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ui::Listing list_pictures(const fs::path& folder) {
-    return list_folder(folder, {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"});
+FileQuestion picture_question(const fs::path& folder) {
+    return {.purpose = ui::FileDialog::Purpose::open,
+            .title = "Open surroundings",
+            .folder = folder,
+            .kind = "Picture by latitude and longitude",
+            .endings = {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"}};
 }
 
 std::string reason_of(const std::exception_ptr& error) {
@@ -68,7 +71,7 @@ void EnvironmentPanel::want(std::string name_or_file) {
     asked_ = job_.submit(*wanted_);
 }
 
-void EnvironmentPanel::rows(Surroundings& surroundings) {
+void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<DialogProgram>& dialogs) {
     std::string present = surroundings.picture ? surroundings.picture->name : "";
     if (wanted_) present = *wanted_;
     if (!present.empty() && !is_procedural(present)) last_file_ = present;
@@ -86,12 +89,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings) {
     auto chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), present) - names.begin());
     if (choose(labels, chosen)) {
         if (chosen == names.size()) {
-            dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::open,
-                                     .listing = list_pictures(fs::path(last_file_).parent_path()),
-                                     .path = {},
-                                     .problem = {},
-                                     .title = "Open surroundings",
-                                     .hint = "name or path of a picture by latitude and longitude"};
+            chooser_.ask(picture_question(fs::path(last_file_).parent_path()), dialogs);
         } else if (chosen == 0) {
             surroundings.picture.reset();
             wanted_.reset();
@@ -128,7 +126,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings) {
                  "The lights below shine together with the surroundings.");
 }
 
-void EnvironmentPanel::draw(Surroundings& surroundings) {
+void EnvironmentPanel::follow(Surroundings& surroundings) {
     if (auto published = job_.poll(); published && wanted_ && published->revision == asked_) {
         const std::string name = *std::exchange(wanted_, std::nullopt);
         if (published->result) {
@@ -138,15 +136,15 @@ void EnvironmentPanel::draw(Surroundings& surroundings) {
             if (last_file_ == name) last_file_.clear();
         }
     }
+}
+
+void EnvironmentPanel::talk() {
     if (!problem_.empty()) {
         if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
-    } else if (dialog_) {
-        fs::path chosen;
-        const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_pictures, chosen);
-        if (answer == ui::DialogAnswer::none) return;
-        dialog_.reset();
-        if (answer == ui::DialogAnswer::accepted) want(chosen.string());
+        return;
     }
+    const auto answer = chooser_.draw();
+    if (answer && !answer->chosen.empty()) want(answer->chosen.string());
 }
 
 }  // namespace nacre

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "app/designer/file_chooser.h"
 #include "app/preview/scene.h"
 #include "core/bake/latest_job.h"
 #include "core/light/environment.h"
-#include "ui/dialogs.h"
 
 namespace nacre {
 
@@ -17,24 +17,28 @@ class EnvironmentPanel {
   public:
     EnvironmentPanel();
 
-    // The rows of the light's panel.
-    void rows(Surroundings& surroundings);
+    // The rows of the light's panel. `dialogs` asks for a picture where one is wanted.
+    void rows(Surroundings& surroundings, const std::optional<DialogProgram>& dialogs);
 
-    // The file dialog, and the answer of the worker; once a frame.
-    void draw(Surroundings& surroundings);
+    // Takes what the worker has made; once a frame.
+    void follow(Surroundings& surroundings);
+
+    // The dialog or the problem, where one is open.
+    void talk();
+    bool talking() const { return chooser_.open() || !problem_.empty(); }
+    const std::string& problem() const { return problem_; }  // shown until it is read
 
     // A procedural environment's name, or a picture by latitude and longitude. The present one stays until it
     // has come, and where it cannot be used.
     void want(std::string name_or_file);
 
-    bool talking() const { return dialog_ || !problem_.empty(); }
-    bool busy() const { return wanted_.has_value(); }
+    bool in_motion() const { return wanted_ || chooser_.has_answer(); }
     void wait() const { job_.wait(); }
 
   private:
     std::optional<std::string> wanted_;
     std::string last_file_;  // stays in the list
-    std::optional<ui::FileDialog> dialog_;
+    FileChooser chooser_;
     std::string problem_;
     std::uint64_t asked_ = 0;
     LatestJob<std::string, std::shared_ptr<const Environment>> job_;

@@ -75,7 +75,8 @@ void ExportFlow::ask_file(const Document& document) {
                   .title = into_folder ? "Export into a folder" : "Export as",
                   .folder = folder,
                   .name = document.stem() + (into_folder ? "-tables" : extension),
-                  .extension = extension},
+                  .kind = into_folder ? "" : dialog_.formats[dialog_.chosen].title,
+                  .endings = into_folder ? std::vector<std::string>() : std::vector{extension}},
                  dialogs_);
 }
 
@@ -87,8 +88,6 @@ void ExportFlow::draw_file(const Document& document, PreviewPane& preview, const
         return;
     }
     output_ = answer->chosen;
-    const std::string extension = extension_of(dialog_.chosen);
-    if (!extension.empty() && output_.extension() != extension) output_ += extension;
     if (!replaced(output_).empty())
         step_ = Step::replace;
     else

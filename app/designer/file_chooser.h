@@ -13,11 +13,13 @@ namespace nacre {
 
 class FileChooser {
   public:
-    // One question at a time. Without a program, or where it fails, the browser asks.
+    // One question at a time, from the nearest folder that exists. Without a program, or where it fails, the
+    // browser asks.
     void ask(FileQuestion question, const std::optional<DialogProgram>& program);
 
     struct Answer {
-        std::filesystem::path chosen;  // empty: cancelled
+        // Empty: cancelled. To save under, with the first ending of the question where it had none of them.
+        std::filesystem::path chosen;
     };
     // Draws what is open. The answer comes once.
     std::optional<Answer> draw();
@@ -29,6 +31,7 @@ class FileChooser {
   private:
     ui::Listing list(const std::filesystem::path& folder) const;
     void browse();
+    Answer chosen(std::filesystem::path file) const;
     std::optional<Answer> draw_system();
 
     FileQuestion question_;

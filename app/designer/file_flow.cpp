@@ -72,7 +72,8 @@ void FileFlow::save_as(const Document& document) {
                   .title = "Save design as",
                   .folder = folder(document),
                   .name = name.empty() ? "untitled.nacre" : name.string(),
-                  .extension = design_extension},
+                  .kind = "Nacre design",
+                  .endings = {design_extension}},
                  memory_.dialogs);
 }
 
@@ -99,7 +100,8 @@ void FileFlow::go_on(Document& document) {
             chooser_.ask({.purpose = ui::FileDialog::Purpose::open,
                           .title = "Open design",
                           .folder = folder(document),
-                          .extension = design_extension},
+                          .kind = "Nacre design",
+                          .endings = {design_extension}},
                          memory_.dialogs);
             break;
         case Next::open:
@@ -168,7 +170,7 @@ void FileFlow::draw(Document& document) {
 void FileFlow::draw_dialog(Document& document) {
     const auto answer = chooser_.draw();
     if (!answer) return;
-    fs::path chosen = answer->chosen;
+    const fs::path& chosen = answer->chosen;
     if (chosen.empty()) {
         next_ = Next::nothing;
         return;
@@ -178,7 +180,6 @@ void FileFlow::draw_dialog(Document& document) {
         load(document, false);
         return;
     }
-    if (!chosen.has_extension()) chosen += design_extension;
     std::error_code error;
     if (chosen != document.file && fs::exists(chosen, error))
         overwrite_ = chosen;

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <tuple>
 
+#include "core/exchange/file_ending.h"
+
 namespace nacre {
 namespace {
 
@@ -41,11 +43,7 @@ ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& 
         std::error_code unreadable;
         const bool is_directory = it->is_directory(unreadable);
         if (unreadable || name.starts_with('.')) continue;
-        std::string ending = it->path().extension().string();
-        std::transform(ending.begin(), ending.end(), ending.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        if (is_directory || endings.empty() ||
-            std::find(endings.begin(), endings.end(), ending) != endings.end())
+        if (is_directory || endings.empty() || has_ending(it->path(), endings))
             listing.entries.push_back({name, is_directory});
     }
     if (error) listing.problem = error.message();
@@ -53,6 +51,10 @@ ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& 
         return std::tuple(!a.is_directory, a.name) < std::tuple(!b.is_directory, b.name);
     });
     return listing;
+}
+
+bool has_ending(const fs::path& file, const std::vector<std::string>& endings) {
+    return std::find(endings.begin(), endings.end(), ending_of(file)) != endings.end();
 }
 
 std::vector<Preset> list_presets(const fs::path& folder) {

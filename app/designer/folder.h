@@ -16,6 +16,9 @@ inline constexpr const char* design_extension = ".nacre";
 ui::Listing list_folder(const std::filesystem::path& folder,
                         const std::vector<std::string>& endings = {design_extension});
 
+// Whether the name ends in any of these, given in small letters, be it in small letters or in capitals.
+bool has_ending(const std::filesystem::path& file, const std::vector<std::string>& endings);
+
 struct Preset {
     std::string name;  // of the file, without ".nacre"
     std::filesystem::path file;

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include "app/designer/folder.h"
 #include "app/designer/scene_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -25,8 +24,6 @@ constexpr Entry entries[] = {
     {"tablecloth", "Tablecloth", "A cloth that has fallen over a round table. The grain is its weave."},
 };
 
-ui::Listing list_obj_files(const fs::path& folder) { return list_folder(folder, {".obj"}); }
-
 bool choice(const char* label, const char* tooltip, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? ui::palette::accent_dim : ui::palette::window);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? ui::palette::accent_bright : ui::palette::text);
@@ -37,7 +34,7 @@ bool choice(const char* label, const char* tooltip, bool chosen) {
 
 }  // namespace
 
-void ObjectChooser::draw(Scene& scene) {
+void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialogs) {
     if (auto made = shelf_.poll(); made && made->name == shelf_.wanted()) {
         scene.object = std::move(*made);
         reset_camera(scene);
@@ -53,12 +50,12 @@ void ObjectChooser::draw(Scene& scene) {
         (file ? fs::path(shelf_.wanted()).filename().string() : "OBJ\u2026") + "##OBJ file";
     if (choice(label.c_str(),
                "A model of your own: a Wavefront OBJ file. It can also be dropped on the window.", file))
-        dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::open,
-                                 .listing = list_obj_files(last_folder_),
-                                 .path = {},
-                                 .problem = {},
-                                 .title = "Open object",
-                                 .hint = "name or path of an .obj file"};
+        chooser_.ask({.purpose = ui::FileDialog::Purpose::open,
+                      .title = "Open object",
+                      .folder = last_folder_,
+                      .kind = "Wavefront OBJ",
+                      .endings = {".obj"}},
+                     dialogs);
     if (shelf_.busy()) {
         ImGui::SameLine(0, gap);
         ImGui::AlignTextToFramePadding();
@@ -67,18 +64,14 @@ void ObjectChooser::draw(Scene& scene) {
 }
 
 void ObjectChooser::talk() {
-    if (!shelf_.problem().empty()) {
-        if (ui::question("That did not work", shelf_.problem(), {"OK"})) shelf_.forget_problem();
+    if (!problem().empty()) {
+        if (ui::question("That did not work", problem(), {"OK"})) shelf_.forget_problem();
         return;
     }
-    if (!dialog_) return;
-    fs::path chosen;
-    const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_obj_files, chosen);
-    if (answer == ui::DialogAnswer::none) return;
-    dialog_.reset();
-    if (answer != ui::DialogAnswer::accepted) return;
-    last_folder_ = chosen.parent_path();
-    want(chosen.string());
+    const auto answer = chooser_.draw();
+    if (!answer || answer->chosen.empty()) return;
+    last_folder_ = answer->chosen.parent_path();
+    want(answer->chosen.string());
 }
 
 }  // namespace nacre

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "app/designer/file_chooser.h"
 #include "app/designer/object_shelf.h"
 #include "app/preview/scene.h"
-#include "ui/dialogs.h"
 
 namespace nacre {
 
@@ -14,19 +14,21 @@ class ObjectChooser {
     // The object appears when it is made, as seen first.
     void want(const std::string& name) { shelf_.want(name); }
 
-    // The row, in the current Dear ImGui window. Takes what has been made into the scene.
-    void draw(Scene& scene);
+    // The row, in the current Dear ImGui window. Takes what has been made into the scene. `dialogs` asks for
+    // a file where one is wanted.
+    void draw(Scene& scene, const std::optional<DialogProgram>& dialogs);
 
-    // The dialog and the problem, where one is open.
+    // The dialog or the problem, where one is open.
     void talk();
-    bool talking() const { return dialog_ || !shelf_.problem().empty(); }
+    bool talking() const { return chooser_.open() || !problem().empty(); }
+    const std::string& problem() const { return shelf_.problem(); }  // shown until it is read
 
-    bool busy() const { return shelf_.busy(); }
+    bool in_motion() const { return shelf_.busy() || chooser_.has_answer(); }
     void wait() const { shelf_.wait(); }
 
   private:
     ObjectShelf shelf_;
-    std::optional<ui::FileDialog> dialog_;
+    FileChooser chooser_;
     std::filesystem::path last_folder_;
 };
 

@@ -3,7 +3,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/designer/folder.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/image_file.h"
 
@@ -16,10 +15,9 @@ void PictureTaker::ask(const Document& document) {
     fs::path folder = settings_->picture_folder;
     if (folder.empty()) folder = document.file.parent_path();
     if (folder.empty()) folder = settings_->design_folder;
-    chooser_.ask({.purpose = ui::FileDialog::Purpose::folder,
-                  .title = "Folder of pictures",
-                  .folder = existing_folder(folder)},
-                 dialogs_);
+    chooser_.ask(
+        {.purpose = ui::FileDialog::Purpose::folder, .title = "Folder of pictures", .folder = folder},
+        dialogs_);
 }
 
 // Drawn at once, coded and written on a thread of its own.

@@ -3,7 +3,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/designer/folder.h"
 #include "core/design/error.h"
 #include "core/exchange/plot_files.h"
 
@@ -11,35 +10,26 @@ namespace nacre {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-ui::Listing list_plots(const fs::path& folder) { return list_folder(folder, {".svg", ".csv"}); }
-
-}  // namespace
-
-void PlotSaving::ask(Plot plot, const ShapeView& view, const std::string& name) {
+void PlotSaving::ask(Plot plot, const ShapeView& view, const std::string& name,
+                     const std::optional<DialogProgram>& dialogs) {
     plot_ = std::move(plot);
     view_ = view;
-    dialog_ = ui::FileDialog{.purpose = ui::FileDialog::Purpose::save,
-                             .listing = list_plots(folder_),
-                             .path = name,
-                             .problem = {},
-                             .title = "Save plot as",
-                             .hint = "name or path of a .svg or .csv file"};
+    chooser_.ask({.purpose = ui::FileDialog::Purpose::save,
+                  .title = "Save plot as",
+                  .folder = folder_,
+                  .name = name,
+                  .kind = "Plot, SVG or CSV",
+                  .endings = {".svg", ".csv"}},
+                 dialogs);
 }
 
 std::optional<std::string> PlotSaving::draw() {
     if (!problem_.empty() || overwrite_) return draw_questions();
-    if (!dialog_) return {};
-    fs::path chosen;
-    const ui::DialogAnswer answer = ui::file_dialog(*dialog_, list_plots, chosen);
-    if (answer == ui::DialogAnswer::cancelled) dialog_.reset();
-    if (answer != ui::DialogAnswer::accepted) return {};
-    dialog_.reset();
-    if (!chosen.has_extension()) chosen += ".svg";
+    const auto answer = chooser_.draw();
+    if (!answer || answer->chosen.empty()) return {};
     std::error_code error;
-    if (!fs::exists(chosen, error)) return write(chosen);
-    overwrite_ = chosen;
+    if (!fs::exists(answer->chosen, error)) return write(answer->chosen);
+    overwrite_ = answer->chosen;
     return {};
 }
 

@@ -5,20 +5,23 @@
 #include <optional>
 #include <string>
 
+#include "app/designer/file_chooser.h"
 #include "core/plot/draw_plot.h"
-#include "ui/dialogs.h"
 
 namespace nacre {
 
 class PlotSaving {
   public:
-    // The plot as it is now, under a name that is suggested.
-    void ask(Plot plot, const ShapeView& view, const std::string& name);
+    // The plot as it is now, under a name that is suggested; `dialogs` asks for it.
+    void ask(Plot plot, const ShapeView& view, const std::string& name,
+             const std::optional<DialogProgram>& dialogs);
 
     // Draws what is open. Returns what was done, once.
     std::optional<std::string> draw();
 
-    bool talking() const { return dialog_ || overwrite_ || !problem_.empty(); }
+    bool talking() const { return chooser_.open() || overwrite_ || !problem_.empty(); }
+    bool in_motion() const { return chooser_.has_answer(); }
+    const std::string& problem() const { return problem_; }  // shown until it is read
 
   private:
     std::optional<std::string> write(const std::filesystem::path& file);
@@ -26,7 +29,7 @@ class PlotSaving {
 
     Plot plot_;
     ShapeView view_;
-    std::optional<ui::FileDialog> dialog_;
+    FileChooser chooser_;
     std::optional<std::filesystem::path> overwrite_;
     std::filesystem::path folder_;  // of the last plot
     std::string problem_;

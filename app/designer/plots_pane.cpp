@@ -32,7 +32,7 @@ void PlotsPane::update() {
     }
 }
 
-void PlotsPane::draw(const std::string& name) {
+void PlotsPane::draw(const std::string& name, const std::optional<DialogProgram>& dialogs) {
     update();
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(slice_.name()));
     const ui::PlotsAnswer answer = ui::plots_panel(
@@ -41,7 +41,7 @@ void PlotsPane::draw(const std::string& name) {
     if (!answer.save || !plot_) return;
     PlotSettings saved = settings_;
     saved.slice_side = PlotSettings{}.slice_side;  // a file as the command line makes it
-    saving.ask(*make_plot(*plotted_, saved), state.view, name + "-" + name_of(saved.kind) + ".svg");
+    saving.ask(*make_plot(*plotted_, saved), state.view, name + "-" + name_of(saved.kind) + ".svg", dialogs);
 }
 
 }  // namespace nacre

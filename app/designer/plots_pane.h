@@ -21,8 +21,9 @@ class PlotsPane {
     // Whether what is shown needs R.
     bool wants_albedo() const { return state.open && needs_albedo(state.settings); }
 
-    // Fills the current Dear ImGui window. `name`: what a saved plot's name begins with.
-    void draw(const std::string& name);
+    // Fills the current Dear ImGui window. `name`: what a saved plot's name begins with; `dialogs` asks
+    // where.
+    void draw(const std::string& name, const std::optional<DialogProgram>& dialogs);
 
     // What is under the pointer, as it was drawn last.
     const std::optional<PlotReading>& reading() const { return reading_; }

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <string_view>
@@ -36,13 +37,35 @@ bool is_set(const EnvironmentVariables& environment, const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
+std::string capitals(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+}
+
+// "Plot | *.svg *.SVG *.csv *.CSV": it tells small letters from capitals.
+std::string zenity_filter(const FileQuestion& question) {
+    std::string filter = question.kind + " |";
+    for (const std::string& ending : question.endings) filter += " *" + ending + " *" + capitals(ending);
+    return filter;
+}
+
+// "*.svg *.csv": of small letters or capitals.
+std::string kdialog_filter(const FileQuestion& question) {
+    std::string filter;
+    for (const std::string& ending : question.endings) filter += (filter.empty() ? "*" : " *") + ending;
+    return filter;
+}
+
 std::vector<std::string> zenity_arguments(const FileQuestion& question) {
     std::vector<std::string> words = {"zenity", "--file-selection", "--title=" + question.title};
     if (question.purpose == Purpose::save) words.emplace_back("--save");
     if (question.purpose == Purpose::folder) words.emplace_back("--directory");
     // A folder's name ends in a slash, else its last part is taken for a file.
-    if (!question.folder.empty()) words.push_back("--filename=" + (question.folder / question.name).string());
-    if (!question.extension.empty()) words.push_back("--file-filter=*" + question.extension);
+    if (!question.folder.empty())
+        words.push_back("--filename=" + (question.folder / question.name).string());
+    else if (!question.name.empty())
+        words.push_back("--filename=" + question.name);
+    if (!question.endings.empty()) words.push_back("--file-filter=" + zenity_filter(question));
     return words;
 }
 
@@ -53,7 +76,7 @@ std::vector<std::string> kdialog_arguments(const FileQuestion& question) {
     const fs::path start = question.folder.empty() ? fs::path(".") : question.folder;
     std::vector<std::string> words = {"kdialog", "--title", question.title, verb,
                                       (start / question.name).string()};
-    if (!question.extension.empty()) words.push_back("*" + question.extension);
+    if (!question.endings.empty()) words.push_back(kdialog_filter(question));
     return words;
 }
 

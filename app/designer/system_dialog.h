@@ -19,7 +19,9 @@ struct FileQuestion {
     std::string title = {};
     std::filesystem::path folder = {};  // where it begins
     std::string name = {};              // proposed to save under
-    std::string extension = {};         // ".nacre": others are not shown; empty: all are
+    std::string kind = {};              // what is asked for: "Nacre design"
+    // ".svg", ".csv", in small letters: other files are not shown. None: all are.
+    std::vector<std::string> endings = {};
 };
 
 struct DialogProgram {

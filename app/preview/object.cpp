@@ -1,9 +1,8 @@
 #include "app/preview/object.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 
+#include "core/exchange/file_ending.h"
 #include "core/exchange/obj_file.h"
 #include "core/geometry/shapes.h"
 #include "core/geometry/tablecloth.h"
@@ -22,9 +21,7 @@ std::vector<std::string> object_names() { return {"sphere", "torus", "plate", "t
 bool names_object(const std::string& name) {
     const std::vector<std::string> names = object_names();
     if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-    std::string extension = std::filesystem::path(name).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension == ".obj";
+    return ending_of(name) == ".obj";
 }
 
 SceneObject make_object(const std::string& name) {

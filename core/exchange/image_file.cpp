@@ -1,23 +1,21 @@
 #include "core/exchange/image_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 
 #include "core/design/error.h"
+#include "core/exchange/file_ending.h"
 
 namespace nacre {
 
 namespace fs = std::filesystem;
 
 ImageFormat image_format(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".png") return ImageFormat::png;
-    if (extension == ".exr") return ImageFormat::exr;
-    throw UserError(file.string(), "write", "the name of a picture must end in .png or .exr", extension);
+    const std::string ending = ending_of(file);
+    if (ending == ".png") return ImageFormat::png;
+    if (ending == ".exr") return ImageFormat::exr;
+    throw UserError(file.string(), "write", "the name of a picture must end in .png or .exr", ending);
 }
 
 void write_image(const fs::path& file, glm::ivec2 size, std::span<const float> rgb) {

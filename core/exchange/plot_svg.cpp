@@ -4,6 +4,7 @@
 
 #include "core/design/error.h"
 #include "core/exchange/atomic_file.h"
+#include "core/exchange/file_ending.h"
 #include "core/exchange/plot_files.h"
 #include "core/exchange/svg_page.h"
 
@@ -126,14 +127,14 @@ std::string plot_svg(const Plot& plot, const ShapeView& view) {
 }
 
 void check_plot_file(const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
-    if (extension != ".svg" && extension != ".csv")
+    const std::string ending = ending_of(file);
+    if (ending != ".svg" && ending != ".csv")
         throw UserError(file.string(), "write", "a plot is a .svg or a .csv file");
 }
 
 void write_plot(const std::filesystem::path& file, const Plot& plot, const ShapeView& view) {
     check_plot_file(file);
-    write_file_atomically(file, file.extension() == ".svg" ? plot_svg(plot, view) : plot_csv(plot));
+    write_file_atomically(file, ending_of(file) == ".svg" ? plot_svg(plot, view) : plot_csv(plot));
 }
 
 }  // namespace nacre

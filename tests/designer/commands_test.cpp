@@ -1,8 +1,7 @@
 // Keys and menus of the whole designer: what each command does.
 #include <doctest/doctest.h>
 
-#include <chrono>
-#include <thread>
+#include <algorithm>
 
 #include "core/design/design_file.h"
 #include "core/exchange/export_format.h"
@@ -15,31 +14,7 @@ using namespace nacre;
 using nacre::test::read_all;
 using nacre::test::Rig;
 using nacre::test::TemporaryFolder;
-using nacre::test::write_all;
 namespace fs = std::filesystem;
-
-namespace {
-
-// Frames until `done`; false after a quarter of a minute.
-template <class Done>
-bool frames_until(Rig& r, const Done& done) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
-    while (!done() && std::chrono::steady_clock::now() < end) {
-        r.play("frames 1");
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return done();
-}
-
-// A program that writes down what it was started with, then answers.
-DialogProgram fake_zenity(const TemporaryFolder& folder, const std::string& answer) {
-    const fs::path file = folder / "zenity";
-    write_all(file, "#!/bin/sh\nprintf '%s\\n' \"$@\" >'" + (folder / "arguments").string() + "'\n" + answer);
-    fs::permissions(file, fs::perms::owner_all);
-    return {DialogProgram::Kind::zenity, file};
-}
-
-}  // namespace
 
 TEST_CASE("commands: X erases and goes back, digits choose layers, brackets size the brush, Tab hides") {
     Rig r;
@@ -93,11 +68,11 @@ TEST_CASE("commands: F12 asks once for a folder and then numbers its pictures") 
     Rig r;
     r.play("wait\nkey F12\nframes 5\ntext \"" + (folder / "shots").string() + "\"\nkey Enter\nframes 3");
     const auto idle = [&] { return !r.designer().pictures_of_preview.in_motion(); };
-    REQUIRE(frames_until(r, idle));
+    REQUIRE(r.frames_until(idle));
     REQUIRE(fs::exists(folder / "shots/untitled-001.png"));
     const std::string first = read_all(folder / "shots/untitled-001.png");
     r.play("key F12\nframes 3");
-    REQUIRE(frames_until(r, idle));
+    REQUIRE(r.frames_until(idle));
     CHECK(fs::exists(folder / "shots/untitled-002.png"));
     CHECK(read_all(folder / "shots/untitled-001.png") == first);
     const ColourPicture picture = load_colours(folder / "shots/untitled-001.png");
@@ -112,7 +87,7 @@ TEST_CASE("commands: the export dialog writes each format") {
         r.play("key Ctrl+E\nframes 30\nclick \"Format " + format +
                "\"\nframes 30\nclick \"Choose export file\"\nframes 5\n" + "key Ctrl+A\ntext \"" +
                (folder / name).string() + "\"\nkey Enter\nframes 3");
-        CHECK(frames_until(r, idle));
+        CHECK(r.frames_until(idle));
         CHECK(r.designer().files.message() == "Exported " + fs::path(name).filename().string());
     };
     r.play("wait");
@@ -159,68 +134,10 @@ TEST_CASE("commands: a dropped design opens, with the question where work would 
     CHECK(!r.document().unsaved());
 }
 
-TEST_CASE("desktop's dialog: found by PATH and desktop, and only with a display") {
-    const TemporaryFolder folder;
-    for (const char* name : {"zenity", "kdialog"}) {
-        write_all(folder / name, "#!/bin/sh\n");
-        fs::permissions(folder / name, fs::perms::owner_all);
-    }
-    const std::string path = "/nowhere:" + folder.path().string();
-    const auto found = [&](const char* display, const char* desktop) {
-        return find_dialog_program([&, display, desktop](const char* name) -> const char* {
-            const std::string_view variable = name;
-            return variable == "PATH"                  ? path.c_str()
-                   : variable == "DISPLAY"             ? display
-                   : variable == "XDG_CURRENT_DESKTOP" ? desktop
-                                                       : nullptr;
-        });
-    };
-    CHECK(!found(nullptr, nullptr));
-    REQUIRE(found(":0", nullptr));
-    CHECK(found(":0", "GNOME")->file == folder / "zenity");
-    CHECK(found(":0", "KDE")->file == folder / "kdialog");
-    CHECK(found(":0", "KDE")->kind == DialogProgram::Kind::kdialog);
-}
-
-TEST_CASE("desktop's dialog: no shell reads the names, and its answer is a file") {
-    const TemporaryFolder folder;
-    const fs::path odd = folder / "it's $(odd) \"here\"";
-    fs::create_directory(odd);
-    save_design(starter_design(), odd / "a; b.nacre");
-    Rig r({.bake_threads = 1,
-           .dialogs = fake_zenity(folder, "printf '%s\\n' \"" +
-                                              std::string("$(dirname \"$0\")/it's \\$(odd) \\\"here\\\"") +
-                                              "/a; b.nacre\"\n")});
-    r.designer().settings.values.design_folder = odd;
-    r.play("key Ctrl+O\nframes 2");
-    REQUIRE(frames_until(r, [&] { return !r.designer().files.talking(); }));
-    CHECK(r.document().file == odd / "a; b.nacre");
-    CHECK(read_all(folder / "arguments").find("--filename=" + odd.string() + "/\n") != std::string::npos);
-    r.play("key F1\nframes 2");
-    CHECK(r.designer().sheet);  // nothing stays popped up that would hold the keys
-}
-
-TEST_CASE("desktop's dialog: cancelled, given up and failed") {
-    const TemporaryFolder folder;
-    {
-        Rig r({.bake_threads = 1, .dialogs = fake_zenity(folder, "exit 1\n")});
-        r.play("key Ctrl+O\nframes 2");
-        CHECK(frames_until(r, [&] { return !r.designer().files.talking(); }));
-    }
-    {
-        Rig r({.bake_threads = 1, .dialogs = fake_zenity(folder, "exec sleep 100\n")});
-        r.play("key Ctrl+O\nframes 30\nclick \"Cancel\"\nframes 5");
-        CHECK(!r.designer().files.talking());
-    }
-    Rig r({.bake_threads = 1, .dialogs = DialogProgram{DialogProgram::Kind::zenity, folder / "missing"}});
-    r.play("key Ctrl+O\nframes 5");
-    CHECK(r.stage.items().rectangle("Path"));  // the browser asks in its place
-}
-
 TEST_CASE("presets: the wall gets its pictures") {
     Rig r;
     r.play("click \"Presets\"\nframes 2");
     const auto& presets = r.designer().presets;
     REQUIRE(!presets.empty());
-    CHECK(frames_until(r, [&] { return r.designer().thumbnails.texture(presets[0].file) != nullptr; }));
+    CHECK(r.frames_until([&] { return r.designer().thumbnails.texture(presets[0].file) != nullptr; }));
 }

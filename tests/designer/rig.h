@@ -1,7 +1,9 @@
 // The designer on a window that nobody sees, two frames old.
 #pragma once
 
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/headless/stage.h"
@@ -20,6 +22,18 @@ struct Rig {
     }
 
     void play(const std::string& text) { stage.play(parse_events(text, "test")); }
+
+    // Frames until `done`; false after a quarter of a minute.
+    template <class Done>
+    bool frames_until(const Done& done) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
+        while (!done() && std::chrono::steady_clock::now() < end) {
+            play("frames 1");
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return done();
+    }
+
     Designer& designer() { return stage.designer(); }
     Document& document() { return designer().document; }
     std::vector<Layer>& layers() { return document().design.distribution.layers; }
