@@ -104,15 +104,18 @@ class LatestJob {
     }
 
     void run(const Request& request, std::uint64_t revision, const std::stop_token& stop) {
+        std::exception_ptr error;
         try {
             work_(request, stop, [this, revision](Result result) {
                 publish({.revision = revision, .result = std::move(result), .error = nullptr});
             });
         } catch (...) {
-            // What a stopped work throws only says that it was stopped.
-            if (!stop.stop_requested())
-                publish({.revision = revision, .result = std::nullopt, .error = std::current_exception()});
+            error = std::current_exception();
         }
+        // After the handler, so that nobody else holds what is handed over. What a stopped work throws only
+        // says that it was stopped.
+        if (error && !stop.stop_requested())
+            publish({.revision = revision, .result = std::nullopt, .error = std::move(error)});
     }
 
     void publish(Published published) {

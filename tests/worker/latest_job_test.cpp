@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -54,6 +55,27 @@ TEST_CASE("LatestJob: tells of each publication and of its end, when both can be
     idle.get_future().wait();
     CHECK(told == 3);
     CHECK(published == 2);
+}
+
+TEST_CASE("LatestJob: an error belongs to who polls it, and the worker keeps no hold of it") {
+    struct Failure {
+        std::shared_ptr<int> mark;
+    };
+    std::weak_ptr<int> mark;
+    std::promise<bool> gone;
+    Job* seen = nullptr;
+    Job job(
+        [&](int, const std::stop_token&, const Job::Publish&) {
+            Failure failure{std::make_shared<int>(0)};
+            mark = failure.mark;
+            throw failure;
+        },
+        [&] {
+            if (seen->poll()) gone.set_value(mark.expired());
+        });
+    seen = &job;
+    job.submit(1);
+    CHECK(gone.get_future().get());
 }
 
 TEST_CASE("LatestJob: the newest request replaces a waiting one") {
