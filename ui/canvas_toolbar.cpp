@@ -21,17 +21,7 @@ namespace {
 constexpr const char* symmetries[] = {"No symmetry", "Mirror x", "Mirror y",
                                       "Mirror both", "Turns",    "Full ring"};
 constexpr double key_factor = 1.15;  // of the radius, for each press of [ or ]
-
-// Stays on the line if a widget of this breadth fits there.
-void flow(float breadth, float gap) {
-    const float right = ImGui::GetItemRectMax().x + gap + breadth;
-    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (right <= end) ImGui::SameLine(0, gap);
-}
-
-float breadth_of(const char* text) {
-    return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
+constexpr float hint_ems = 9;        // the least breadth to read a hint in
 
 void tool_button(CanvasState& state, const ToolEntry& entry) {
     const float side = ImGui::GetFrameHeight();
@@ -51,12 +41,12 @@ void tool_button(CanvasState& state, const ToolEntry& entry) {
 
 void view_buttons(CanvasState& state) {
     HemisphereCamera& camera = state.camera;
-    flow(breadth_of("Dome"), ImGui::GetStyle().ItemSpacing.x);
+    stay_on_line(button_breadth("Dome"), ImGui::GetStyle().ItemSpacing.x);
     if (button(camera.dome ? "Dome##Dome" : "Disk##Dome",
                "All facet normals as an equal-area disk seen from above, or as a dome that the right button "
                "turns."))
         camera = {.dome = !camera.dome, .below = camera.below};
-    flow(breadth_of("Lin"), ImGui::GetStyle().ItemInnerSpacing.x);
+    stay_on_line(button_breadth("Lin"), ImGui::GetStyle().ItemInnerSpacing.x);
     if (button(state.logarithmic ? "Log##Scale" : "Lin##Scale",
                "How p becomes brightness: linear, or logarithmic over four decades, which shows the haze "
                "around a "
@@ -148,9 +138,9 @@ float number_breadth(float others) {
 void brush_row(CanvasState& state, Distribution& distribution) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
     const bool turned = state.symmetry.kind == SymmetryKind::turns;
-    const float menu = breadth_of("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
+    const float menu = button_breadth("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
     const float breadth =
-        number_breadth(menu + breadth_of(balance_text) + 4 * gap + (turned ? turns + gap : 0));
+        number_breadth(menu + button_breadth(balance_text) + 4 * gap + (turned ? turns + gap : 0));
     bar({.label = "Brush radius",
          .low = brush_radius_least,
          .high = brush_radius_most,
@@ -163,24 +153,24 @@ void brush_row(CanvasState& state, Distribution& distribution) {
              "The brush's radius on the hemisphere, degrees from its middle to its edge; the keys [ and ] "
              "change it."},
         breadth, state.brush.radius);
-    flow(breadth, gap);
+    stay_on_line(breadth, gap);
     tool_number(state, breadth);
-    flow(breadth, gap);
+    stay_on_line(breadth, gap);
     percent("Flow", "flow %.0f %%",
             "How much one touch of the brush does: low flow builds up stroke by stroke.", breadth,
             Brush{}.flow, state.brush.flow);
-    flow(menu, gap);
+    stay_on_line(menu, gap);
     int kind = static_cast<int>(state.symmetry.kind);
     choice("Symmetry", kind, {std::begin(symmetries), std::end(symmetries)}, menu,
            "Copies of each stroke about the layer's axis: mirrored, turned, or all around, as for a surface "
            "that looks the same from all sides.");
     state.symmetry.kind = static_cast<SymmetryKind>(kind);
     if (turned) {
-        flow(turns, gap);
+        stay_on_line(turns, gap);
         whole_number("Turns", "\u00d7 %.0f", {turns_least, turns_most, BrushSymmetry{}.turns}, turns,
                      "How many copies stand about the axis, evenly turned.", state.symmetry.turns);
     }
-    flow(breadth_of(balance_text), gap);
+    stay_on_line(button_breadth(balance_text), gap);
     balance_button(state, distribution);
 }
 
@@ -190,6 +180,7 @@ void handles_row(CanvasState& state, Distribution& distribution) {
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     straighten_button(state, distribution);
     ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < hint_ems * ImGui::GetFontSize()) return ImGui::NewLine();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
     ImGui::TextWrapped("%s", state.tool == CanvasTool::grab ? "Drag a highlight, here or on the sphere."
@@ -218,12 +209,13 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
     bool first = true;
     for (const ToolEntry& entry : canvas_tools()) {
         if (!first)
-            flow(ImGui::GetFrameHeight(),
-                 entry.tool == CanvasTool::paint || entry.tool == CanvasTool::line ? scaled(8) : scaled(2));
+            stay_on_line(
+                ImGui::GetFrameHeight(),
+                entry.tool == CanvasTool::paint || entry.tool == CanvasTool::line ? scaled(8) : scaled(2));
         first = false;
         tool_button(state, entry);
     }
-    flow(breadth_of("New layer"), ImGui::GetStyle().ItemSpacing.x);
+    stay_on_line(button_breadth("New layer"), ImGui::GetStyle().ItemSpacing.x);
     if (button("New layer##New painted layer", "A new layer to paint on, with nothing on it yet.",
                distribution.layers.size() < limits::layers_max)) {
         add_painted_layer(distribution, chosen);

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -61,11 +63,13 @@ void tables_parts(const TablesStatus& baked) {
         "p(h) dh, in parts of itself, and of the albedo R(k), in parts of the light that falls in.");
 }
 
-void right_aligned(const std::string& text, float kept_free) {
-    const float left = ImGui::GetWindowWidth() - kept_free - ImGui::CalcTextSize(text.c_str()).x -
-                       ImGui::GetStyle().WindowPadding.x;
-    ImGui::SameLine(left);
-    ImGui::TextUnformatted(text.c_str());
+// Draws only left of `right`, pixels from the window's left.
+template <class Contents>
+void clipped(float right, const Contents& contents) {
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    ImGui::PushClipRect(low, {low.x + std::max(right, 0.0f), low.y + size.y}, true);
+    contents();
+    ImGui::PopClipRect();
 }
 
 }  // namespace
@@ -73,19 +77,25 @@ void right_aligned(const std::string& text, float kept_free) {
 float status_height() { return ImGui::GetFontSize() * 1.9f; }
 
 void status_line(const Status& status) {
-    const bool refused = !status.problem.empty();
+    const bool refused = !status.problem.empty(), warned = !status.warning.empty();
+    const float gap = ImGui::GetFontSize();
+    const float end = ImGui::GetWindowWidth() - status.kept_free - ImGui::GetStyle().WindowPadding.x;
     dot(refused ? palette::red : status.working ? palette::amber : palette::accent);
-    if (refused) return part("Problem", status.problem, palette::red, status.problem);
-    if (status.baked)
-        tables_parts(*status.baked);
-    else
-        part("Baked tables", "baking\u2026", palette::text_dim,
-             "The first tables of this design are on the way.");
-    const bool warned = !status.warning.empty();
-    ImGui::PushStyleColor(ImGuiCol_Text, warned ? palette::amber : palette::text_dim);
-    right_aligned(warned ? status.warning : status.message, status.kept_free);
-    ImGui::PopStyleColor();
-    if (warned) tooltip_for_item(status.warning.c_str());
+    if (refused) return clipped(end, [&] { part("Problem", status.problem, palette::red, status.problem); });
+    // What was done last stands at the right, before what was baked where both do not fit.
+    const std::string& said = warned ? status.warning : status.message;
+    const float first = ImGui::GetCursorPosX();
+    const float left = std::max(first, end - ImGui::CalcTextSize(said.c_str()).x);
+    clipped(said.empty() ? end : left - gap, [&] {
+        if (status.baked)
+            tables_parts(*status.baked);
+        else
+            part("Baked tables", "baking\u2026", palette::text_dim,
+                 "The first tables of this design are on the way.");
+    });
+    if (said.empty()) return;
+    ImGui::SameLine(left);
+    clipped(end, [&] { part("Said last", said, warned ? palette::amber : palette::text_dim, said); });
 }
 
 }  // namespace nacre::ui

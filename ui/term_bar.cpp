@@ -11,10 +11,6 @@
 namespace nacre::ui {
 namespace {
 
-float breadth_of(const TermInfo& term) {
-    return ImGui::CalcTextSize(term.label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
-
 void choice(const TermInfo& candidate, Term& term, bool possible) {
     const bool chosen = candidate.term == term;
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
@@ -50,7 +46,7 @@ void list(Term& term, bool factors) {
 void term_bar(Term& term, bool factors) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float needed = 2 * gap;
-    for (const TermInfo& candidate : all_terms()) needed += breadth_of(candidate) + gap;
+    for (const TermInfo& candidate : all_terms()) needed += button_breadth(candidate.label) + gap;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});
     if (needed > ImGui::GetContentRegionAvail().x) return list(term, factors);
     for (const TermInfo& candidate : all_terms()) {

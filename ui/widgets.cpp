@@ -126,6 +126,16 @@ bool text_field(const char* label, std::string& text, const char* hint, const ch
     return changed;
 }
 
+void stay_on_line(float breadth, float gap) {
+    const float right = ImGui::GetItemRectMax().x + gap + breadth;
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (right <= end) ImGui::SameLine(0, gap);
+}
+
+float button_breadth(const char* label) {
+    return ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 bool button(const char* label, const char* tooltip_text, bool enabled, float width) {
     ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button(label, ImVec2(width, 0));

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/designer/scene_panel.h"
+#include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -24,6 +25,9 @@ constexpr Entry entries[] = {
     {"tablecloth", "Tablecloth", "A cloth that has fallen over a round table. The grain is its weave."},
 };
 
+constexpr const char* file_tooltip =
+    "A model of your own: a Wavefront OBJ file. It can also be dropped on the window.";
+
 bool choice(const char* label, const char* tooltip, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? ui::palette::accent_dim : ui::palette::window);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? ui::palette::accent_bright : ui::palette::text);
@@ -41,26 +45,60 @@ void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialo
     }
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});
-    for (const Entry& entry : entries) {
-        if (choice(entry.label, entry.tooltip, shelf_.wanted() == entry.name)) want(entry.name);
-        ImGui::SameLine(0, gap);
-    }
-    const bool file = names_object(shelf_.wanted()) && fs::path(shelf_.wanted()).has_extension();
-    const std::string label =
-        (file ? fs::path(shelf_.wanted()).filename().string() : "OBJ\u2026") + "##OBJ file";
-    if (choice(label.c_str(),
-               "A model of your own: a Wavefront OBJ file. It can also be dropped on the window.", file))
-        chooser_.ask({.purpose = ui::FileDialog::Purpose::open,
-                      .title = "Open object",
-                      .folder = last_folder_,
-                      .kind = "Wavefront OBJ",
-                      .endings = {".obj"}},
-                     dialogs);
+    const bool own = names_object(shelf_.wanted()) && fs::path(shelf_.wanted()).has_extension();
+    const std::string file_label =
+        (own ? fs::path(shelf_.wanted()).filename().string() : "OBJ\u2026") + "##OBJ file";
+    float needed = ui::button_breadth(file_label.c_str()) + 2 * gap;
+    for (const Entry& entry : entries) needed += ui::button_breadth(entry.label) + gap;
+    if (needed > ImGui::GetContentRegionAvail().x)
+        list(file_label, own, dialogs);
+    else
+        buttons(file_label, own, dialogs);
     if (shelf_.busy()) {
         ImGui::SameLine(0, gap);
         ImGui::AlignTextToFramePadding();
         ui::dim_text("\u2026");
     }
+}
+
+void ObjectChooser::buttons(const std::string& file_label, bool own,
+                            const std::optional<DialogProgram>& dialogs) {
+    for (const Entry& entry : entries) {
+        if (choice(entry.label, entry.tooltip, shelf_.wanted() == entry.name)) want(entry.name);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    }
+    if (choice(file_label.c_str(), file_tooltip, own)) ask_file(dialogs);
+}
+
+// Where the row is too narrow for buttons.
+void ObjectChooser::list(const std::string& file_label, bool own,
+                         const std::optional<DialogProgram>& dialogs) {
+    std::string present(ui::visible_text(file_label));
+    for (const Entry& entry : entries)
+        if (shelf_.wanted() == entry.name) present = entry.label;
+    ImGui::SetNextItemWidth(-ImGui::GetStyle().ItemSpacing.x - (shelf_.busy() ? ImGui::GetFontSize() : 0));
+    const bool open = ImGui::BeginCombo("##object", present.c_str());
+    ui::note_item("Object");
+    ui::tooltip_for_item("What the light falls on.");
+    if (!open) return;
+    for (const Entry& entry : entries) {
+        if (ImGui::Selectable(entry.label, shelf_.wanted() == entry.name)) want(entry.name);
+        ui::note_item(entry.label);
+        ui::tooltip_for_item(entry.tooltip);
+    }
+    if (ImGui::Selectable(file_label.c_str(), own)) ask_file(dialogs);
+    ui::note_item(file_label);
+    ui::tooltip_for_item(file_tooltip);
+    ImGui::EndCombo();
+}
+
+void ObjectChooser::ask_file(const std::optional<DialogProgram>& dialogs) {
+    chooser_.ask({.purpose = ui::FileDialog::Purpose::open,
+                  .title = "Open object",
+                  .folder = last_folder_,
+                  .kind = "Wavefront OBJ",
+                  .endings = {".obj"}},
+                 dialogs);
 }
 
 void ObjectChooser::talk() {

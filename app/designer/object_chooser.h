@@ -27,6 +27,10 @@ class ObjectChooser {
     void wait() const { shelf_.wait(); }
 
   private:
+    void buttons(const std::string& file_label, bool own, const std::optional<DialogProgram>& dialogs);
+    void list(const std::string& file_label, bool own, const std::optional<DialogProgram>& dialogs);
+    void ask_file(const std::optional<DialogProgram>& dialogs);
+
     ObjectShelf shelf_;
     FileChooser chooser_;
     std::filesystem::path last_folder_;
