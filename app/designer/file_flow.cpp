@@ -67,11 +67,10 @@ fs::path FileFlow::folder(const Document& document) const {
 void FileFlow::save_as(const Document& document) {
     if (talking()) return;
     saving_ = true;
-    const fs::path name = document.file.filename();
     chooser_.ask({.purpose = ui::FileDialog::Purpose::save,
                   .title = "Save design as",
                   .folder = folder(document),
-                  .name = name.empty() ? "untitled.nacre" : name.string(),
+                  .name = document.stem() + design_extension,
                   .kind = "Nacre design",
                   .endings = {design_extension}},
                  memory_.dialogs);

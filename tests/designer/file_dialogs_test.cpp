@@ -84,6 +84,20 @@ TEST_CASE("desktop's dialog: no shell reads the names, and its answer is a file"
     CHECK(r.designer().sheet);  // nothing stays popped up that would hold the keys
 }
 
+TEST_CASE("desktop's dialog: a design that was never saved is named after itself") {
+    const TemporaryFolder folder;
+    const StandIn dialog;
+    Rig r(dialog.program());
+    r.designer().settings.values.design_folder = folder.path();
+    r.document().design.name = "Brushed Copper";
+    dialog.answer(folder / "mine");
+    r.play("key Ctrl+S\nframes 2");
+    REQUIRE(r.frames_until([&] { return !r.designer().files.talking(); }));
+    CHECK(dialog.arguments().at(3) == "--filename=" + (folder / "brushed-copper.nacre").string());
+    CHECK(r.document().file == folder / "mine.nacre");
+    CHECK(load_design(folder / "mine.nacre") == r.document().design);
+}
+
 TEST_CASE("desktop's dialog: given up, and where it cannot be started the browser asks") {
     const TemporaryFolder folder;
     const StandIn dialog;
