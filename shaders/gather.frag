@@ -1,5 +1,5 @@
 // Light of the surroundings that the object reflects toward a distant viewer: a sum over samples, to be added to
-// those before. A sample draws one visible facet of p and one direction of light, and weighs both by the power
+// those before. A sample draws one visible facet of p and one direction of light, and weighs both by the balance
 // heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
 
 uniform sampler2D normals;  // as in surface.frag
@@ -14,20 +14,17 @@ uniform float environment_brightness;  // factor
 
 out vec4 gathered;  // radiance times coverage, and the number of samples
 
-// rho L (k1.n) over the density of the way that drew k1, visible facets or light, times that way's weight: its square
-// in parts of both squares. The balance heuristic, without squares, would leave six parts in a hundred of a sun in
-// chrome to the few facets that hit it.
-vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance, bool drawn_by_facet) {
+// rho L (k1.n) over the sum of both densities, in which either way may draw k1: visible facets or light. That is each
+// way's own quotient times its weight by the balance heuristic.
+vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
     vec3 sum = k1 + viewer.k;
     vec2 place = lat_long_place(toward);
     vec3 light = environment_radiance(place);
     float by_light = irradiance > 0.0 ? dot(light, vec3(light_scale)) * k1.z / irradiance : 0.0;
     float by_facets = viewer.g > 0.0 ? density(sum / length(sum)) / (4.0 * viewer.g) : 0.0;
-    float larger = max(by_light, by_facets);
-    if (!(larger > 0.0)) return vec3(0.0);
-    vec2 parts = vec2(by_facets, by_light) / larger;
-    float weight = (drawn_by_facet ? parts.x : parts.y) / dot(parts, parts);
-    return shown_brdf(direction(k1), viewer) * light * (k1.z * weight / larger);
+    float both = by_light + by_facets;
+    if (!(both > 0.0)) return vec3(0.0);
+    return shown_brdf(direction(k1), viewer) * light * (k1.z / both);
 }
 
 vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at) {
@@ -36,14 +33,14 @@ vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at)
     float kh = dot(viewer.k, facet.direction);
     vec3 k1 = normalize(2.0 * kh * facet.direction - viewer.k);
     if (facet.weight <= 0.0 || kh <= 0.0 || k1.z <= 0.0) return vec3(0.0);
-    return reflected(viewer, k1, to_environment * k1, irradiance, true) * (facet.weight * kh / viewer.g);
+    return reflected(viewer, k1, to_environment * k1, irradiance) * (facet.weight * kh / viewer.g);
 }
 
 vec3 by_light(Direction viewer, mat3 to_environment, float irradiance, float at) {
     Drawn light = draw(light_order, to_environment[2], at);
     vec3 k1 = light.direction * to_environment;
     if (light.weight <= 0.0 || k1.z <= 0.0) return vec3(0.0);
-    return reflected(viewer, k1, light.direction, irradiance, false) * (light.weight * k1.z / irradiance);
+    return reflected(viewer, k1, light.direction, irradiance) * (light.weight * k1.z / irradiance);
 }
 
 // Base 2: sample number i of van der Corput's sequence (1935).
