@@ -2,9 +2,6 @@
 // (scripts/painters-hour runs that under the sanitizers).
 #include <doctest/doctest.h>
 #include <unistd.h>
-#ifdef NACRE_SANITIZED
-#include <sanitizer/allocator_interface.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +20,11 @@
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/random_painter.h"
 #include "tests/designer/rig.h"
+
+#ifdef NACRE_SANITIZED
+// Of the sanitizers' runtime (its sanitizer/allocator_interface.h, which g++ does not install).
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
+#endif
 
 using namespace nacre;
 
