@@ -52,7 +52,7 @@ struct Tables {
     double tolerance = 0;    // that the bake was asked for
     TableErrors errors;      // measured by the bake, on directions between nodes
     std::vector<TriedSize> tried_area, tried_albedo;  // on the way to the sizes of the plan
-    double seconds = 0;       // that the request took
+    double seconds = 0;                               // that the request took
     double made_seconds = 0;  // that the tables took when they were made, for this request or one before
 
     std::size_t table_floats() const;  // of `data`: the tables without curves and pictures
