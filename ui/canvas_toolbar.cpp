@@ -131,7 +131,8 @@ void tool_number(CanvasState& state, float breadth) {
 
 // Of each of the three numbers, so that the whole row fits on one line wherever it can.
 float number_breadth(float others) {
-    const float size = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x - others;
+    const float size = ImGui::GetFontSize();
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x - others;
     return std::clamp(room / 3, size * 4.4f, size * 6.2f);
 }
 
