@@ -26,6 +26,11 @@ fail() {
     exit 1
 }
 
+# A user's own settings and unsaved work stay out of it. The dialogs are Nacre's, whatever this machine has.
+export HOME=$work/home XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state XDG_DATA_HOME=$work/data
+mkdir -p "$HOME" "$XDG_CONFIG_HOME/nacre"
+echo '{"nacre_settings": 1, "system_dialogs": false}' >"$XDG_CONFIG_HOME/nacre/settings.json"
+
 preset='Brushed gold'
 [ -e "$presets/brushed-gold.nacre" ] || fail "$presets has no brushed-gold.nacre"
 
