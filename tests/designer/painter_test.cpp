@@ -241,5 +241,6 @@ TEST_CASE("painter: random actions leave a design that its file holds, can be un
     hour.begin_anew();
     const double at_last = used_mebibytes();
     if (actions > usual_actions) MESSAGE("at first " << at_first << " MiB, anew " << at_last << " MiB");
-    if (counted_exactly) CHECK(at_last < at_first + 32);
+    // The shader of each kind of surface that was shown stays compiled.
+    if (counted_exactly) CHECK(at_last < at_first + 64);
 }
