@@ -36,7 +36,7 @@ void tool_button(CanvasState& state, const ToolEntry& entry) {
             ImGui::GetStyle().FrameRounding);
     draw_tool_icon(entry.tool, corner, side,
                    ImGui::GetColorU32(chosen ? palette::accent_bright : palette::text));
-    tooltip_for_item(tool_tooltip(entry).c_str());
+    if (hovered) tooltip_for_item(tool_tooltip(entry).c_str());
 }
 
 void view_buttons(CanvasState& state) {

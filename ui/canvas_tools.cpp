@@ -10,9 +10,9 @@ constexpr ToolEntry tools[] = {
      "Of the layer that is strongest there a painted hill follows up to the valleys about it, a lobe as a "
      "whole."},
     {CanvasTool::paint, "Paint", 'B', "Adds facets, here or on the object.",
-     "Facets that lean up shine below the highlight's middle, those that lean left to the right of it: on "
-     "the "
-     "object the brush paints where you see it. On a lobe that is not painted a new painted layer begins."},
+     "Facets that lean up shine below the highlight's middle, those that lean left to the right "
+     "of it: on the object the brush paints where you see it. On a lobe that is not painted a new painted "
+     "layer begins."},
     {CanvasTool::erase, "Erase", 'E', "Takes facets away.", "What is left keeps its ratios."},
     {CanvasTool::smooth, "Smooth", 'S', "Softens what is painted.", "Edges of the highlight blur."},
     {CanvasTool::smear, "Smear", 'M', "Pushes paint along.", "The highlight is drawn out like wet paint."},

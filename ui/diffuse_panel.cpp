@@ -54,12 +54,14 @@ struct DiffuseFields {
     bool operator()(NoDiffuse&) const { return false; }
     bool operator()(LambertianDiffuse& lambertian) const {
         bool changed = colour("Albedo", lambertian.albedo, glm::dvec3(0.5), albedo_tooltip);
-        if (slider(share_spec("Diffuse kd", "Share of the diffuse part; kd + ks stays at most 1."),
+        if (slider(share_spec("Diffuse kd",
+                              "Share of the diffuse part: kd albedo/\u03c0. kd + ks stays at most 1."),
                    lambertian.kd)) {
             lambertian.ks = std::min(lambertian.ks, 1 - lambertian.kd);
             changed = true;
         }
-        if (slider(share_spec("Specular ks", "Share of the highlight; kd + ks stays at most 1."),
+        if (slider(share_spec("Specular ks",
+                              "Share of the highlight: ks times the specular term. kd + ks stays at most 1."),
                    lambertian.ks)) {
             lambertian.kd = std::min(lambertian.kd, 1 - lambertian.ks);
             changed = true;

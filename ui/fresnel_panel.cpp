@@ -11,11 +11,9 @@ namespace {
 constexpr const char* model_names[] = {"Schlick", "Dielectric", "Conductor", "None"};
 constexpr const char* model_tooltip =
     "F(k\u00b7h), how much a facet mirrors at each angle. Schlick: one colour f0, rising to white at grazing "
-    "angles, F = f0 + (1 \u2212 f0)(1 \u2212 k\u00b7h)\u2075 (eq. 31). Dielectric: glass, plastic, lacquer "
-    "by "
-    "index of refraction; conductor: metals by measured eta and k; both by Fresnel's exact equations. None: "
-    "a "
-    "perfect mirror, F = 1, to study the distribution alone.";
+    "angles, F = f0 + (1 \u2212 f0)(1 \u2212 k\u00b7h)\u2075 (eq. 31). Dielectric: glass, plastic, "
+    "lacquer by index of refraction; conductor: metals by measured eta and k; both by Fresnel's exact "
+    "equations. None: a perfect mirror, F = 1, to study the distribution alone.";
 
 double dielectric_f0(double ior) {
     const double r = (ior - 1) / (ior + 1);

@@ -19,9 +19,8 @@ constexpr std::array<const char*, std::variant_size_v<Lobe>> explanations = {
     "Velvet: facets stand upright like fibres, dark when seen from above, glowing at the rim.\n"
     "p ~ exp(\u2212cot\u00b2\u03b8/\u03c3\u00b2) (Ashikhmin 2000, eq. 35)",
     "A sharp core with a long haze around it; today's common choice for metals.\n"
-    "p ~ 1/(x\u00b2/\u03b1x\u00b2 + y\u00b2/\u03b1y\u00b2 + z\u00b2)\u00b2 of the facet normal (x, y, "
-    "z) "
-    "(Walter 2007, eq. 33; Heitz 2014, eq. 85)",
+    "p ~ 1/(x\u00b2/\u03b1x\u00b2 + y\u00b2/\u03b1y\u00b2 + z\u00b2)\u00b2 of the facet normal "
+    "(x, y, z) (Walter 2007, eq. 33; Heitz 2014, eq. 85)",
     "Like the Gaussian, with the theory of rough random surfaces behind it.\n"
     "p ~ exp(\u2212tan\u00b2\u03b8 (cos\u00b2\u03c6/\u03b1x\u00b2 + "
     "sin\u00b2\u03c6/\u03b1y\u00b2))/cos\u2074\u03b8 (Walter 2007, eq. 25)",

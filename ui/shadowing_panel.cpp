@@ -6,11 +6,10 @@ namespace {
 
 constexpr const char* model_names[] = {"Uncorrelated", "Correlated by azimuth", "Smith, by height"};
 constexpr const char* model_tooltip =
-    "Masking: facets hide one another from the light and from the eye, which darkens grazing views. With "
-    "P(k) = "
-    "N (k\u00b7n)/g(k) (eq. 25): uncorrelated, the two are independent, P1 P2. Correlated: when light and "
-    "eye "
-    "are on the same side, what one sees the other sees too, (1 \u2212 t) P1 P2 + t min(P1, P2) (eq. 14). "
+    "Masking: facets hide one another from the light and from the eye, which darkens grazing views. "
+    "With P(k) = N (k\u00b7n)/g(k) (eq. 25): uncorrelated, the two are independent, P1 P2. Correlated: when "
+    "light and eye are on the same side, what one sees the other sees too, (1 \u2212 t) P1 P2 + t min(P1, "
+    "P2) (eq. 14). "
     "Smith: high facets are seen by both more often than low ones, P1 P2/(P1 + P2 \u2212 P1 P2) (Heitz 2014, "
     "eq. 99).";
 

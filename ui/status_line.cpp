@@ -21,12 +21,12 @@ void dot(const Colour& colour) {
     ImGui::SameLine();
 }
 
-void part(const char* name, const std::string& text, const Colour& colour, const std::string& about) {
+void part(const char* name, const std::string& text, const Colour& colour, const char* about) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
     note_item(name);
-    tooltip_for_item(about.c_str());
+    tooltip_for_item(about);
 }
 
 // The next part stands where it would after `widest`, so that nothing moves while numbers change.
@@ -35,11 +35,16 @@ void next_part(const char* widest) {
     ImGui::SameLine(left + ImGui::CalcTextSize(widest).x + ImGui::GetFontSize());
 }
 
+std::string list_of(const std::vector<std::string>& left_out) {
+    std::string text = "What neither tables nor shader need for this design, and so do without:";
+    for (const std::string& line : left_out) text += "\n\u2013 " + line;
+    return text;
+}
+
 void tables_parts(const TablesStatus& baked) {
     part("Quality", baked.quality, palette::text_dim,
          "A draft follows the hand, within some parts in a hundred; the final tables come when it rests, "
-         "within "
-         "a thousandth or as near as they can.");
+         "within a thousandth or as near as they can.");
     next_part("Draft");
     part("Validity", baked.validity, baked.valid ? palette::text_dim : palette::amber,
          baked.valid
@@ -50,15 +55,13 @@ void tables_parts(const TablesStatus& baked) {
                "at 1 there, so nothing reflects more than it gets, but the highlight is dimmer on that "
                "side. Balance and Straighten bring the mean to n.");
     next_part("p leans 90.0\u00b0");
-    std::string list = "What neither tables nor shader need for this design, and so do without:";
-    for (const std::string& line : baked.left_out) list += "\n\u2013 " + line;
-    part("Left out", std::to_string(baked.left_out.size()) + " left out", palette::text_dim, list);
+    part("Left out", std::to_string(baked.left_out.size()) + " left out", palette::text_dim, nullptr);
+    if (ImGui::IsItemHovered()) tooltip_for_item(list_of(baked.left_out).c_str());
     next_part("10 left out");
     part(
         "Baked tables", baked.tables, palette::text_dim,
         "What was baked for this picture: nodes of each table along the angle from the normal and around it; "
-        "the symmetry that was used; memory; the time it took; "
-        "and "
+        "the symmetry that was used; memory; the time it took; and "
         "the worst errors, measured between the nodes: of the projected area g(k) = \u222b max(h\u00b7k, 0) "
         "p(h) dh, in parts of itself, and of the albedo R(k), in parts of the light that falls in.");
 }
@@ -81,7 +84,8 @@ void status_line(const Status& status) {
     const float gap = ImGui::GetFontSize();
     const float end = ImGui::GetWindowWidth() - status.kept_free - ImGui::GetStyle().WindowPadding.x;
     dot(refused ? palette::red : status.working ? palette::amber : palette::accent);
-    if (refused) return clipped(end, [&] { part("Problem", status.problem, palette::red, status.problem); });
+    if (refused)
+        return clipped(end, [&] { part("Problem", status.problem, palette::red, status.problem.c_str()); });
     // What was done last stands at the right, before what was baked where both do not fit.
     const std::string& said = warned ? status.warning : status.message;
     const float first = ImGui::GetCursorPosX();
@@ -95,7 +99,7 @@ void status_line(const Status& status) {
     });
     if (said.empty()) return;
     ImGui::SameLine(left);
-    clipped(end, [&] { part("Said last", said, warned ? palette::amber : palette::text_dim, said); });
+    clipped(end, [&] { part("Said last", said, warned ? palette::amber : palette::text_dim, said.c_str()); });
 }
 
 }  // namespace nacre::ui

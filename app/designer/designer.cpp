@@ -40,7 +40,7 @@ void draw_presets(Designer& designer) {
 
 void draw_material(Design& design) {
     ui::text_field("Name##Design name", design.name, "Untitled",
-                   "The design's name: it stands in the window's title and in every export.");
+                   "The design's name: it stands in the window's title, in exported tables and in GLSL.");
     ImGui::Spacing();
     ui::fresnel_panel(design.fresnel);
     ImGui::Spacing();

@@ -84,6 +84,7 @@ float drawer_border(float left, float top, float breadth) {
     ImGui::SetCursorScreenPos({left, top});
     ImGui::InvisibleButton("drawer border", {breadth, reach});
     ui::note_item("Plots border");
+    ui::tooltip_for_item("Drag to give the plots more room.");
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     const ImVec4 colour = held || ImGui::IsItemHovered() ? ui::palette::accent : ui::palette::line;

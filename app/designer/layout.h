@@ -7,10 +7,11 @@
 
 namespace nacre {
 
+inline constexpr float panel_least = 20, panel_most = 40;         // text sizes
+inline constexpr float canvas_least = 0.25f, canvas_most = 0.8f;  // of the breadth beside the panel
+inline constexpr float drawer_least = 14;                         // text sizes
+
 // Where the borders stand, for windows and scales of any size: all that is worth keeping between runs.
-inline constexpr float panel_least = 20, panel_most = 40;
-inline constexpr float canvas_least = 0.25f, canvas_most = 0.8f;
-inline constexpr float drawer_least = 14;
 struct Layout {
     float panel = 21.5f;   // breadth in text sizes
     float canvas = 0.5f;   // part of the breadth beside the panel

@@ -89,7 +89,7 @@ void lights(Scene& scene) {
                    {"Polar angle##Rim light polar angle", "Azimuth##Rim light azimuth",
                     "Strength##Rim light strength"});
     ui::checkbox("Ambient light", scene.ambient,
-                 "Light from everywhere, as strong from each direction: radiance = L R(k).");
+                 "Light from everywhere, as strong from each direction: radiance = L times the albedo of k.");
     if (scene.ambient)
         strength_row("Strength##Ambient strength", 1, scene.ambient_radiance, usual.ambient_radiance,
                      "How bright the light from everywhere is.");

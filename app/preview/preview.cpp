@@ -1,10 +1,10 @@
 #include "app/preview/preview.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "app/preview/upload.h"
+#include "core/bake/stopwatch.h"
 #include "core/exchange/shader_variant.h"
 #include "core/paint/colour_map.h"
 #include "shaders/shader_text.h"
@@ -194,15 +194,13 @@ void Preview::begin(const Scene& scene, glm::ivec2 size, int supersample, int go
 void Preview::refine(double seconds) {
     if (!frame_.gathers() || gathering_.samples() >= frame_.goal) return;
     const SavedState state;
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point begin = Clock::now();
-    const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    const Stopwatch passed;
     do {
-        const double before = passed();
+        const double before = passed.seconds();
         const double done = gather(std::max(gathers_a_second_ * (seconds - before), least_gathered));
         glFinish();  // the time that gathering takes decides how much of it fits
-        gathers_a_second_ = done / std::max(passed() - before, 1e-6);
-    } while (gathering_.samples() < frame_.goal && passed() < 0.7 * seconds);
+        gathers_a_second_ = done / std::max(passed.seconds() - before, 1e-6);
+    } while (gathering_.samples() < frame_.goal && passed.seconds() < 0.7 * seconds);
     if (gathering_.samples() > 0) develop_as_seen();
 }
 

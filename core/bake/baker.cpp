@@ -1,19 +1,17 @@
 #include "core/bake/baker.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "core/bake/coupling.h"
 #include "core/bake/fitted.h"
+#include "core/bake/stopwatch.h"
 #include "core/model/picture_lobe.h"
 #include "core/model/surface.h"
 
 namespace nacre {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // What of the tolerance the errors at the measured directions may take; the rest is for those between them.
 constexpr double area_part = 0.75, albedo_part = 0.8;
@@ -76,10 +74,6 @@ bool better(const Fitted<AreaTable>& a, const Fitted<AreaTable>& b, double targe
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
     return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size &&
            a.symmetry == b.symmetry;
-}
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 }  // namespace
@@ -215,7 +209,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
         before && same_wishes(before->options, made.options) && same_area(before->design, made.design);
     const bool keep_albedo = keep_area && before->albedo && same_albedo(before->design, made.design);
     area_origin_ = albedo_origin_ = TableOrigin::kept;
-    const auto begin = Clock::now();
+    const Stopwatch area_time;
     if (keep_area) {
         made.area = before->area;
         made.area_seconds = before->area_seconds;
@@ -226,7 +220,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
         made.plan.nodes.psi = before->plan.nodes.psi;
     } else {
         make_area(made, now, material, workers);
-        made.area_seconds = seconds_since(begin);
+        made.area_seconds = area_time.seconds();
     }
     if (keep_albedo) {
         made.albedo = before->albedo;
@@ -235,15 +229,15 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
         made.plan.nodes.v = before->plan.nodes.v;
         made.plan.nodes.rho = before->plan.nodes.rho;
     } else if (made.plan.albedo) {
-        const auto area_made = Clock::now();
+        const Stopwatch albedo_time;
         make_albedo(made, material, workers);
-        made.albedo_seconds = seconds_since(area_made);
+        made.albedo_seconds = albedo_time.seconds();
     }
 }
 
 std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions& options,
                                           std::stop_token stop, const std::function<void(double)>& progress) {
-    const auto begin = Clock::now();
+    const Stopwatch time;
     Workers workers(options.threads, std::move(stop));
     auto report = [&](double done) {
         workers.check();
@@ -265,7 +259,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     before_ = made.design.distribution;
     distribution_ = made.area->distribution();
     slot = std::move(made);
-    tables->seconds = seconds_since(begin);
+    tables->seconds = time.seconds();
     report(1);
     return tables;
 }

@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -12,6 +11,7 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
+#include "core/bake/stopwatch.h"
 #include "core/design/error.h"
 #include "core/model/float_shading.h"
 
@@ -208,14 +208,14 @@ ExtremeResult judge_tables(const ExtremeCase& extreme, const std::shared_ptr<con
 }
 
 ExtremeResult judge(const ExtremeCase& extreme, const ExtremeOptions& options, std::stop_token stop) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch time;
     ExtremeResult result;
     try {
         result = judge_tables(extreme, bake(extreme.design, {.albedo = true}, stop), options, stop);
     } catch (const UserError& error) {
         result = refused(extreme, fmt::format("{}: {}", error.where, error.problem));
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.seconds = time.seconds();
     return result;
 }
 

@@ -13,12 +13,13 @@ using nacre::test::Rig;
 
 namespace {
 
-// Their own text or place says it all: menus, tabs, the two pictures; a curve reads out what is pointed at.
+// Their own text or place says it all: menus, tabs, the two pictures; a curve and a plot read out what is
+// pointed at.
 bool speaks_for_itself(const std::string& name) {
     if (name.starts_with("Curve point")) return true;
-    static const std::set<std::string> names = {"File",    "Edit",     "View",    "Help",
-                                                "Layers",  "Material", "Light",   "Compare",
-                                                "Presets", "Canvas",   "Preview", "Curve"};
+    static const std::set<std::string> names = {"File",     "Edit",  "View",    "Help",    "Layers",
+                                                "Material", "Light", "Compare", "Presets", "Canvas",
+                                                "Preview",  "Curve", "Plot"};
     return names.contains(name);
 }
 
@@ -58,6 +59,17 @@ TEST_CASE("tooltips: each widget of each panel explains itself") {
         r.play(std::string("click \"") + panel + "\"");
         check_all_explained(r, told);
     }
+}
+
+TEST_CASE("tooltips: what a choice brings") {
+    Rig r;
+    std::set<std::string> told;
+    r.play("wait\nclick \"Light\"\nclick \"Second light\"\nclick \"Rim light\"\nclick \"Ambient light\"");
+    check_all_explained(r, told);
+    r.play("click \"Plots\"\nframes 5");
+    check_all_explained(r, told);
+    r.play("click \"Compare\"\nclick \"View Difference\"\nclick \"Take snapshot\"\nwait");
+    check_all_explained(r, told);
 }
 
 TEST_CASE("tooltips: each kind of lobe") {
