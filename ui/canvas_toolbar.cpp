@@ -92,7 +92,8 @@ void whole_number(const char* name, const char* format, const WholeRange& range,
                           .reset = double(range.reset),
                           .format = format,
                           .logarithmic = false,
-                          .tooltip = text};
+                          .tooltip = text,
+                          .whole = true};
     if (bar(spec, breadth, value)) number = static_cast<int>(std::lround(value));
 }
 
@@ -150,9 +151,9 @@ void brush_row(CanvasState& state, Distribution& distribution) {
          .reset = Brush{}.radius,
          .format = "r %.1f\u00b0",
          .logarithmic = true,
-         .tooltip =
-             "The brush's radius on the hemisphere, degrees from its middle to its edge; the keys [ and ] "
-             "change it."},
+         .tooltip = "The brush's radius on the hemisphere, degrees from its middle to its edge; the keys [ "
+                    "and ], or "
+                    "comma and point, change it."},
         breadth, state.brush.radius);
     stay_on_line(breadth, gap);
     tool_number(state, breadth);

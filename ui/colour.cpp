@@ -1,13 +1,20 @@
 // Colours are linear in the design and in the three fields, as tables of measured reflectance print them; the
 // swatch beside them shows and picks the colour as a display does.
+#include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "core/paint/srgb.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
+#include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -42,15 +49,77 @@ void linear_fields(const char* label, glm::dvec3& linear, glm::dvec3 reset, cons
     note_item(label);
 }
 
+struct DisplayColour {
+    float values[3];
+};
+
+DisplayColour displayed(const glm::dvec3& linear) {
+    DisplayColour shown{};
+    for (int i = 0; i < 3; ++i) shown.values[i] = static_cast<float>(srgb_encoded(linear[i]));
+    return shown;
+}
+
 // A channel that was not touched keeps all its digits.
-void swatch(glm::dvec3& linear) {
-    float values[3], shown[3];
-    for (int i = 0; i < 3; ++i) values[i] = shown[i] = static_cast<float>(srgb_encoded(linear[i]));
-    ImGui::ColorEdit3(
-        "##swatch", values,
-        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_PickerHueWheel);
+void take(const DisplayColour& before, const DisplayColour& now, glm::dvec3& linear) {
     for (int i = 0; i < 3; ++i)
-        if (values[i] != shown[i]) linear[i] = std::clamp(decoded(static_cast<double>(values[i])), 0.0, 1.0);
+        if (now.values[i] != before.values[i])
+            linear[i] = std::clamp(decoded(static_cast<double>(now.values[i])), 0.0, 1.0);
+}
+
+// "#rrggbb", with or without the sign.
+std::optional<DisplayColour> hexadecimal(std::string_view text) {
+    if (text.starts_with('#')) text.remove_prefix(1);
+    unsigned code = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), code, 16);
+    if (text.size() != 6 || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    DisplayColour colour{};
+    for (int i = 0; i < 3; ++i) colour.values[i] = static_cast<float>(code >> (16 - 8 * i) & 255) / 255;
+    return colour;
+}
+
+// Until six digits stand there the colour stays as it is, and the digits are red.
+void hexadecimal_field(const std::string& name, glm::dvec3& linear) {
+    const DisplayColour before = displayed(linear);
+    int bytes[3];
+    for (int i = 0; i < 3; ++i) bytes[i] = static_cast<int>(std::lround(before.values[i] * 255));
+    std::string text = fmt::format("#{:02x}{:02x}{:02x}", bytes[0], bytes[1], bytes[2]);
+    const std::string first = text;
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID key = ImGui::GetID("wrong digits");
+    const bool wrong = storage.GetBool(key);
+    if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, palette::red);
+    const bool edited = ImGui::InputText("##hexadecimal", &text, ImGuiInputTextFlags_AutoSelectAll);
+    if (wrong) ImGui::PopStyleColor();
+    note_item(name + " hexadecimal");
+    tooltip_for_item("As displayed: six hexadecimal digits, as on the web.");
+    const auto typed = hexadecimal(text);
+    storage.SetBool(key, ImGui::IsItemActive() && (edited ? !typed : wrong));
+    if (!edited || !typed || text == first) return;
+    DisplayColour now = *typed;
+    for (int i = 0; i < 3; ++i)
+        if (std::lround(now.values[i] * 255) == bytes[i]) now.values[i] = before.values[i];
+    take(before, now, linear);
+}
+
+void swatch(const std::string& name, glm::dvec3& linear) {
+    constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs;
+    const DisplayColour before = displayed(linear);
+    DisplayColour now = before;
+    ImGui::ColorEdit3("##swatch", now.values,
+                      flags | ImGuiColorEditFlags_NoPicker | ImGuiColorEditFlags_NoOptions);
+    note_item(name + " swatch");
+    if (ImGui::IsItemClicked()) ImGui::OpenPopup("picker");
+    if (ImGui::BeginPopup("picker")) {
+        ImGui::SetNextItemWidth(ImGui::GetFrameHeight() * 12);
+        ImGui::ColorPicker3("##picker", now.values,
+                            flags | ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_NoSidePreview |
+                                ImGuiColorEditFlags_NoLabel);
+        note_item(name + " picker");
+        hexadecimal_field(name, linear);
+        ImGui::EndPopup();
+    }
+    take(before, now, linear);
 }
 
 }  // namespace
@@ -61,7 +130,7 @@ bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char*
     ImGui::PushID(label);
     linear_fields(label, linear, reset, tooltip_text);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    swatch(linear);
+    swatch(std::string(item_name(label)), linear);
     ImGui::PopID();
     return linear != before;
 }

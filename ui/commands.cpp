@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <cctype>
 #include <string_view>
 
 #include "ui/item_map.h"
@@ -37,8 +38,8 @@ constexpr CommandInfo list[] = {
      false},
     {Command::reset_camera, "View", "Reset camera", nullptr, nullptr, "Back to the first view.", true},
     {Command::show_shortcuts, "Help", "Shortcuts", "F1", nullptr, "All keys and what the mouse does.", false},
-    {Command::brush_smaller, "Canvas", nullptr, "[", nullptr, "A smaller brush.", false},
-    {Command::brush_larger, "Canvas", nullptr, "]", nullptr, "A larger brush.", false},
+    {Command::brush_smaller, "Canvas", nullptr, "[", ",", "A smaller brush.", false},
+    {Command::brush_larger, "Canvas", nullptr, "]", ".", "A larger brush.", false},
     {Command::erase, "Canvas", nullptr, "X", nullptr, "Erase, and back to the tool before.", false},
     {Command::choose_layer, "Canvas", nullptr, "1-9", nullptr, "Choose the layer of this number.", false},
 };
@@ -120,7 +121,10 @@ void title(const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+// Letters and named keys go by the key, signs by what is typed: many layouts have brackets on AltGr.
 bool pressed(const char* keys, bool repeat) {
+    if (keys != nullptr && keys[1] == 0 && std::ispunct(static_cast<unsigned char>(keys[0])) != 0)
+        return is_typed(keys[0]);
     const auto press = keys != nullptr ? parse_key(keys) : std::nullopt;
     return press && is_pressed(*press, repeat);
 }
@@ -159,7 +163,7 @@ std::optional<Order> pressed_shortcut() {
     for (const CommandInfo& info : list) {
         if (info.command == Command::choose_layer) {
             for (char digit = '1'; digit <= '9'; ++digit)
-                if (is_pressed({.key = digit}, false))
+                if (is_pressed({.key = digit}, false) || is_typed(digit))
                     return Order(info.command, static_cast<std::size_t>(digit - '1'));
         } else if (pressed(info.keys, repeats(info.command)) || pressed(info.also, repeats(info.command))) {
             return info.command;

@@ -47,7 +47,7 @@ struct CommandInfo {
     Command command;
     const char* menu;   // that it stands in; a group of the sheet alone where `label` is null
     const char* label;  // in the menu
-    const char* keys;   // as parse_key() reads them, or null; "1-9" for nine of them
+    const char* keys;   // as parse_key() reads them, or null; "1-9" for nine of them; a sign is typed
     const char* also;   // other keys, or null
     const char* about;  // one line for tooltip, sheet and manual
     bool begins_group;  // a line above it in the menu

@@ -78,9 +78,13 @@ double curve_value(const CurvePoints& points, double angle) {
     return before->second * (1 - t) + after->second * t;
 }
 
+std::pair<double, double> angle_room(const CurvePoints& points, std::size_t index) {
+    return {index == 0 ? 0 : points[index - 1].first + angle_gap,
+            index + 1 == points.size() ? angle_most : points[index + 1].first - angle_gap};
+}
+
 void set_point(CurvePoints& points, std::size_t index, std::pair<double, double> to) {
-    const double least = index == 0 ? 0 : points[index - 1].first + angle_gap;
-    const double most = index + 1 == points.size() ? angle_most : points[index + 1].first - angle_gap;
+    const auto [least, most] = angle_room(points, index);
     if (least <= most) points[index].first = std::clamp(to.first, least, most);
     points[index].second = std::clamp(to.second, 0.0, limits::weight_max);
 }

@@ -38,6 +38,9 @@ double three_digits(double value);
 // p at an angle: straight lines between the points, 0 outside them.
 double curve_value(const CurvePoints& points, double angle);
 
+// The angles between which a point may move; the least is above the most where its neighbours leave no room.
+std::pair<double, double> angle_room(const CurvePoints& points, std::size_t index);
+
 // Moves a point, between its neighbours and within what a design may hold. Where the neighbours leave no room
 // its angle stays.
 void set_point(CurvePoints& points, std::size_t index, std::pair<double, double> to);

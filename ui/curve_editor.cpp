@@ -6,6 +6,7 @@
 #include "ui/curve_plot.h"
 #include "ui/curve_shapes.h"
 #include "ui/item_map.h"
+#include "ui/slider_bar.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -138,14 +139,9 @@ void axes_row(CurveView& view) {
     ImGui::EndCombo();
 }
 
-bool number(const char* name, const char* format, float width, double& value) {
-    double typed = value;
+bool number(const SliderSpec& spec, float width, double& value) {
     ImGui::SetNextItemWidth(width);
-    const bool edited = ImGui::InputDouble((std::string("##") + name).c_str(), &typed, 0, 0, format);
-    note_item(name);
-    if (!edited || !std::isfinite(typed)) return false;
-    value = typed;
-    return true;
+    return number_field(spec, spec.label, value);
 }
 
 // The chosen point's numbers; without one, what the mouse does.
@@ -160,11 +156,26 @@ bool point_row(CurveView& view, CurvePoints& points) {
     ImGui::PushID(static_cast<int>(index));
     const float width = (ImGui::GetContentRegionAvail().x - side - 2 * gap) / 2;
     auto point = points[index];
-    bool changed = number("Point angle", "%.5g\u00b0", width, point.first);
-    tooltip_for_item("Angle from the lobe's axis, between those of the neighbours.");
+    const auto [least, most] = angle_room(points, index);
+    bool changed = number({.label = "Point angle",
+                           .low = least,
+                           .high = most,
+                           .least = least,
+                           .most = most,
+                           .reset = point.first,
+                           .format = "%.5g\u00b0",
+                           .tooltip = "Angle from the lobe's axis, between those of the neighbours."},
+                          width, point.first);
     ImGui::SameLine(0, gap);
-    changed |= number("Point value", "%.6g", width, point.second);
-    tooltip_for_item("p there, up to a factor: the layer's weight says how much it is in all.");
+    changed |= number({.label = "Point value",
+                       .low = 0,
+                       .high = 1,
+                       .least = 0,
+                       .most = limits::weight_max,
+                       .reset = point.second,
+                       .format = "%.6g",
+                       .tooltip = "p there, up to a factor: the layer's weight says how much it is in all."},
+                      width, point.second);
     if (changed) set_point(points, index, point);
     ImGui::SameLine(0, gap);
     if (button("\u00d7##Remove point", "Remove this point.", points.size() > 2, side) &&

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "ui/escape.h"
 #include "ui/list_row.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -32,7 +33,8 @@ void pixel_row(const char* label, double& pixels) {
             .format = "%.0f px",
             .logarithmic = false,
             .tooltip =
-                "Pixels of the picture, each the mean of four samples. nacre-cli render makes larger ones."},
+                "Pixels of the picture, each the mean of four samples. nacre-cli render makes larger ones.",
+            .whole = true},
            pixels);
 }
 
@@ -83,8 +85,7 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.WantTextInput && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false))
         answer = DialogAnswer::accepted;
-    if (!io.WantTextInput && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false))
-        answer = DialogAnswer::cancelled;
+    if (take_escape()) answer = DialogAnswer::cancelled;
     end_dialog(answer != DialogAnswer::none);
     return answer;
 }
@@ -96,7 +97,8 @@ bool progress_dialog(const char* title, const std::string& text, double done) {
     ImGui::Spacing();
     const float width = ImGui::GetFontSize() * 7;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-    const bool stopped = button("Stop##Stop export", "Nothing is written then.", true, width);
+    const bool stopped =
+        button("Stop##Stop export", "Nothing is written then.", true, width) || take_escape();
     end_dialog(false);
     return stopped;
 }

@@ -96,7 +96,8 @@ bool path_field(FileDialog& dialog) {
     return entered;
 }
 
-DialogAnswer buttons(FileDialog& dialog) {
+// `escape`: it is for the dialog.
+DialogAnswer buttons(FileDialog& dialog, bool escape) {
     const float width = ImGui::GetFontSize() * 7;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2 * width - ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
@@ -104,17 +105,18 @@ DialogAnswer buttons(FileDialog& dialog) {
     const bool accept = button(accept_label(dialog), nullptr, enough, width);
     ImGui::PopStyleColor();
     ImGui::SameLine();
-    if (button("Cancel", nullptr, true, width) ||
-        ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape], false))
-        return DialogAnswer::cancelled;
+    if (button("Cancel", nullptr, true, width) || escape) return DialogAnswer::cancelled;
     return accept ? DialogAnswer::accepted : DialogAnswer::none;
 }
 
 DialogAnswer contents(FileDialog& dialog, const ListDirectory& list, fs::path& chosen) {
     folder_line(dialog, list);
     const bool double_clicked = entry_list(dialog, list);
+    // Escape brings back what the field began with, and else closes the dialog.
+    const std::string typed = dialog.path;
     const bool entered = path_field(dialog);
-    DialogAnswer answer = buttons(dialog);
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape], false);
+    DialogAnswer answer = buttons(dialog, escape && dialog.path == typed);
     if (double_clicked || entered) answer = DialogAnswer::accepted;
     if (answer != DialogAnswer::accepted) return answer;
     if (dialog.path.empty()) {

@@ -28,6 +28,14 @@ std::optional<int> key_number(std::string_view name) {
 
 }  // namespace
 
+int key_on_layout(int position, const char* name) {
+    if (name == nullptr || name[0] == 0 || name[1] != 0) return position;
+    const auto sign = static_cast<unsigned char>(name[0]);
+    if (std::isalnum(sign) != 0) return std::toupper(sign);
+    const bool digit = position >= '0' && position <= '9';
+    return std::isgraph(sign) != 0 && !digit ? sign : position;
+}
+
 std::optional<KeyPress> parse_key(std::string_view text) {
     KeyPress press;
     for (auto plus = text.find('+'); plus != std::string_view::npos && plus + 1 < text.size();
@@ -53,6 +61,11 @@ bool is_pressed(const KeyPress& press, bool repeat) {
     const ImGuiIO& io = ImGui::GetIO();
     return press.ctrl == io.KeyCtrl && press.shift == io.KeyShift && press.alt == io.KeyAlt &&
            ImGui::IsKeyPressed(press.key, repeat);
+}
+
+bool is_typed(char sign) {
+    const auto& typed = ImGui::GetIO().InputQueueCharacters;
+    return typed.contains(static_cast<ImWchar>(sign));
 }
 
 }  // namespace nacre::ui

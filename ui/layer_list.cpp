@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <string>
 
+#include "ui/escape.h"
 #include "ui/item_map.h"
 #include "ui/list_row.h"
 #include "ui/lobe_kinds.h"
@@ -174,8 +175,7 @@ void draw_carried(const Layer& layer, ImVec2 corner, std::size_t slot) {
 bool carry(LayersView& view, Layers& layers, ImVec2 corner) {
     const float line = std::round((ImGui::GetIO().MousePos.y - corner.y) / line_pitch());
     const auto slot = static_cast<std::size_t>(std::clamp(line, 0.0f, static_cast<float>(layers.size())));
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-        ImGui::ClearActiveID();
+    if (take_escape_of_drag()) {
         view.carried = false;
         return false;
     }

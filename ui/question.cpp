@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/dialogs.h"
+#include "ui/escape.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -50,8 +51,7 @@ std::optional<int> question(const char* title, const std::string& text,
     }
     const ImGuiIO& io = ImGui::GetIO();
     if (!typing && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = 0;
-    if (!typing && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false))
-        answer = static_cast<int>(buttons.size()) - 1;
+    if (take_escape()) answer = static_cast<int>(buttons.size()) - 1;
     end_dialog(answer.has_value());
     return answer;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/dialogs.h"
+#include "ui/escape.h"
 #include "ui/item_map.h"
 #include "ui/list_row.h"
 #include "ui/theme.h"
@@ -57,7 +58,7 @@ std::optional<RecoveryAnswer> buttons() {
     }
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = RecoveryAnswer::restore;
-    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false)) answer = RecoveryAnswer::later;
+    if (take_escape()) answer = RecoveryAnswer::later;
     return answer;
 }
 

@@ -8,6 +8,7 @@
 #include "ui/canvas_tools.h"
 #include "ui/commands.h"
 #include "ui/dialogs.h"
+#include "ui/escape.h"
 #include "ui/key_press.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -25,12 +26,13 @@ SheetGroup mouse_group() {
              {"Wheel", "Closer and farther, canvas and preview."},
              {"Double click", "On a number or its label: its usual value."},
              {"Ctrl+click", "On a number: type it."},
+             {"Escape", "Closes what is on top, takes a drag back."},
              {"Drop a file", "A .nacre or .obj file opens; a picture asks."}}};
 }
 
 std::string keys_text(const CommandInfo& info) {
     std::string text = info.keys;
-    if (info.also != nullptr) text += std::string(", ") + info.also;
+    if (info.also != nullptr) text += std::string(" or ") + info.also;
     return text;
 }
 
@@ -94,7 +96,8 @@ bool shortcut_sheet() {
     bool closed = button("Close", nullptr, true, width);
     // The key that opened it is still down in its first frame.
     if (!ImGui::IsWindowAppearing())
-        for (const char* key : {"Escape", "Enter", "F1"}) closed |= is_pressed(*parse_key(key), false);
+        for (const char* key : {"Enter", "F1"}) closed |= is_pressed(*parse_key(key), false);
+    closed |= take_escape();
     end_dialog(closed);
     return !closed;
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "ui/item_map.h"
+#include "ui/number_item.h"
 #include "ui/theme.h"
 
 namespace nacre::ui {
@@ -21,19 +22,48 @@ float fraction(const SliderSpec& spec, double value) {
     return static_cast<float>(share);
 }
 
-void bar(const SliderSpec& spec, double& value, bool marked) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float width = ImGui::CalcItemWidth();
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high(low.x + width, low.y + ImGui::GetFrameHeight());
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool hovered = ImGui::IsMouseHoveringRect(low, high) && ImGui::IsWindowHovered();
-    list.AddRectFilled(low, high, ImGui::GetColorU32(hovered ? palette::field_hovered : palette::field),
-                       style.FrameRounding);
+// Where the number stands in a bar: at its right where there is room for that, since the bar's end so often
+// lies in the middle.
+struct NumberPlace {
+    char text[64];
+    float begin, end;
+};
 
+NumberPlace number_place(const SliderSpec& spec, double value, const NumberItem& item, float margin) {
+    NumberPlace place{};
+    std::snprintf(place.text, sizeof(place.text), spec.format, value);
+    const float breadth = ImGui::CalcTextSize(place.text).x;
+    const float centred = item.low.x + (item.high.x - item.low.x - breadth) / 2;
+    const float at_right = item.high.x - ImGui::GetStyle().FramePadding.x - margin - breadth;
+    place.begin = std::max(at_right, std::min(centred, item.low.x + margin));
+    place.end = place.begin + breadth;
+    return place;
+}
+
+void draw_number(const NumberItem& item, const char* text, float left) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(item.low, item.high, true);
+    list.AddText({left, item.low.y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(ImGuiCol_Text),
+                 text);
+    list.PopClipRect();
+}
+
+void draw_frame(const NumberItem& item) {
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        item.low, item.high, ImGui::GetColorU32(item.hovered ? palette::field_hovered : palette::field),
+        ImGui::GetStyle().FrameRounding);
+}
+
+void draw_bar(const SliderSpec& spec, double value, bool marked, const NumberItem& item) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 low = item.low, high = item.high;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_frame(item);
     // As far from the ends as Dear ImGui keeps the middle of its grab.
     const float margin = 2 + style.GrabMinSize * 0.5f;
-    const auto x_of = [&](double at) { return low.x + margin + fraction(spec, at) * (width - 2 * margin); };
+    const auto x_of = [&](double at) {
+        return low.x + margin + fraction(spec, at) * (high.x - low.x - 2 * margin);
+    };
     const float x = x_of(value);
     const float origin = spec.low < 0 ? x_of(0) : low.x;
     list.AddRectFilled({std::min(origin, x), low.y}, {std::max(origin, x), high.y},
@@ -42,31 +72,14 @@ void bar(const SliderSpec& spec, double& value, bool marked) {
     const auto mark = [&](float top, float bottom) {
         if (marked)
             list.AddRectFilled({x - half, top}, {x + half, bottom},
-                               ImGui::GetColorU32(hovered ? palette::accent_bright : palette::accent), half);
+                               ImGui::GetColorU32(item.hovered ? palette::accent_bright : palette::accent),
+                               half);
     };
-
-    for (const ImGuiCol colour : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
-                                  ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
-        ImGui::PushStyleColor(colour, ImVec4(0, 0, 0, 0));
-    // Dear ImGui centres the number, where the bar's end so often lies; ours stands at the right
-    // where there is room for that.
-    const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value"));
-    if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
-    const ImGuiSliderFlags flags = spec.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &spec.low, &spec.high, spec.format, flags);
-    ImGui::PopStyleColor(typing ? 5 : 6);
-    if (typing) return;
-    char text[64];
-    std::snprintf(text, sizeof(text), spec.format, value);
-    const float breadth = ImGui::CalcTextSize(text).x, centred = low.x + (width - breadth) / 2;
-    const float at_right = high.x - style.FramePadding.x - margin - breadth;
-    const float begin = std::max(at_right, std::min(centred, low.x + margin)), end = begin + breadth;
-    list.PushClipRect(low, high, true);
-    list.AddText({begin, low.y + style.FramePadding.y}, ImGui::GetColorU32(ImGuiCol_Text), text);
-    list.PopClipRect();
+    const NumberPlace number = number_place(spec, value, item, margin);
+    draw_number(item, number.text, number.begin);
     // The mark leaves a gap for the number.
     const float inset = scaled(2), tick = style.FramePadding.y;
-    if (x + 2 * half < begin || x - 2 * half > end) {
+    if (x + 2 * half < number.begin || x - 2 * half > number.end) {
         mark(low.y + inset, high.y - inset);
     } else {
         mark(low.y, low.y + tick);
@@ -98,12 +111,31 @@ bool reset_requested(const SliderSpec& spec, const std::string& name) {
 bool slider_field(const SliderSpec& spec, const std::string& name, double& value, bool marked) {
     const double before = value;
     ImGui::PushID(name.c_str());
-    bar(spec, value, marked);
+    const NumberItem item = number_item(spec, NumberHandling::slide, name, value);
     note_item(name);
-    tooltip_for_item(spec.tooltip);
-    if (reset_requested(spec, name)) value = spec.reset;
+    if (!item.typing) {
+        tooltip_for_item(spec.tooltip);
+        if (reset_requested(spec, name)) value = spec.reset;
+        draw_bar(spec, value, marked, item);
+    }
     ImGui::PopID();
-    value = std::isnan(value) ? before : std::clamp(value, spec.least, spec.most);
+    return value != before;
+}
+
+bool number_field(const SliderSpec& spec, const std::string& name, double& value) {
+    const double before = value;
+    ImGui::PushID(name.c_str());
+    const NumberItem item = number_item(spec, NumberHandling::type, name, value);
+    note_item(name);
+    if (!item.typing) {
+        tooltip_for_item(spec.tooltip);
+        if (item.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+        char text[64];
+        std::snprintf(text, sizeof(text), spec.format, value);
+        draw_frame(item);
+        draw_number(item, text, item.low.x + ImGui::GetStyle().FramePadding.x);
+    }
+    ImGui::PopID();
     return value != before;
 }
 

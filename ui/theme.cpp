@@ -1,9 +1,9 @@
 #include "ui/theme.h"
 
 #include <cmath>
-#include <span>
 
 #include "ui/fonts.h"
+#include "ui/missing_glyphs.h"
 
 namespace nacre::ui {
 namespace {
@@ -16,16 +16,26 @@ constexpr ImWchar glyph_ranges[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x05
                                     0x1EFF, 0x2010, 0x2044, 0x2070, 0x209F, 0x2190, 0x21FF,
                                     0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
 
-ImFont* add_font(std::span<const unsigned char> bytes, float size) {
-    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    if (bytes.empty()) return atlas.AddFontDefault();
-    ImFontConfig config;
-    config.FontDataOwnedByAtlas = false;  // embedded: constant for as long as the program runs
+void add_file(std::span<const unsigned char> bytes, float size, ImFontConfig config, const ImWchar* ranges) {
+    config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
     config.OversampleV = 1;
     // The atlas takes a pointer to non-const only because it may own the bytes.
     void* data = const_cast<unsigned char*>(bytes.data());
-    return atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size, &config, glyph_ranges);
+    ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size, &config, ranges);
+}
+
+void add_font(std::span<const unsigned char> bytes, float size, std::span<const ExtraFont> extra) {
+    if (bytes.empty())
+        ImGui::GetIO().Fonts->AddFontDefault();
+    else
+        add_file(bytes, size, {}, glyph_ranges);
+    for (const ExtraFont& font : extra) {
+        ImFontConfig config;
+        config.MergeMode = true;
+        config.FontNo = font.face;
+        add_file(font.bytes, size, config, font.ranges.data());
+    }
 }
 
 void set_spacing(ImGuiStyle& style) {
@@ -101,7 +111,7 @@ void set_window_colours(ImGuiStyle& style) {
 
 }  // namespace
 
-void apply_theme(float scale, float pixels) {
+void apply_theme(float scale, float pixels, std::span<const ExtraFont> extra) {
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();
     set_spacing(style);
@@ -114,8 +124,11 @@ void apply_theme(float scale, float pixels) {
     atlas.Clear();
     atlas.TexGlyphPadding = 1;
     const float size = std::round(text_size * scale * pixels);
-    add_font(font_regular(), size);
-    add_font(font_semibold(), size);
+    reserve_missing_box(atlas, size);
+    add_font(font_regular(), size, extra);
+    add_font(font_semibold(), size, extra);
+    atlas.Build();
+    add_missing_boxes(atlas);
     ImGui::GetIO().FontGlobalScale = 1 / pixels;
 }
 

@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <span>
+#include <vector>
+
 namespace nacre::ui {
 
 // Dear ImGui's own vector has no constexpr constructor.
@@ -27,10 +30,17 @@ inline constexpr Colour amber{0.93f, 0.73f, 0.42f, 1};
 inline constexpr Colour red{0.94f, 0.50f, 0.46f, 1};
 }  // namespace palette
 
+// An OpenType file for characters that the embedded fonts lack. Its bytes outlive the atlas.
+struct ExtraFont {
+    std::span<const unsigned char> bytes;
+    int face;                     // of those in the file
+    std::vector<ImWchar> ranges;  // pairs of first and last character, and a 0
+};
+
 // Sets style and fonts of the current context for a scale of 1 at 96 dots per inch. A unit of the interface
 // is `pixels` of the framebuffer: letters are drawn that fine. To be called before the renderer uploads the
-// font texture.
-void apply_theme(float scale, float pixels = 1);
+// font texture. What neither the embedded fonts nor `extra` have is shown as a box: see missing_glyphs.h.
+void apply_theme(float scale, float pixels = 1, std::span<const ExtraFont> extra = {});
 
 // The heavier face for headings.
 ImFont* heading_font();

@@ -90,7 +90,9 @@ bool slider_or_infinity(const SliderSpec& spec, double& value) {
         ImGui::EndDisabled();
         note_item(spec.label);
     } else {
-        slider_field(spec, std::string(item_name(spec.label)), value);
+        SliderSpec unbounded = spec;
+        unbounded.infinite = true;
+        slider_field(unbounded, std::string(item_name(spec.label)), value);
     }
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::PushID(spec.label);

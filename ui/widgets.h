@@ -19,6 +19,8 @@ struct SliderSpec {
     const char* format = "%.3f";
     bool logarithmic = false;
     const char* tooltip = nullptr;
+    bool whole = false;     // no fractions
+    bool infinite = false;  // "infinity" may be typed too
 };
 
 // Each returns whether the value changed.

@@ -26,6 +26,7 @@
 #include "app/designer/recent_files.h"
 #include "app/designer/recovery.h"
 #include "app/designer/settings.h"
+#include "app/designer/take_back.h"
 #include "app/designer/thumbnails.h"
 #include "app/designer/user_folders.h"
 #include "app/preview/scene.h"
@@ -74,6 +75,7 @@ struct Designer {
     bool settled = true;      // ... and whether it rests, so that final tables are worth their time
     std::shared_ptr<const Tables> tables;  // that the preview shows
     std::optional<ui::CanvasTool> tool_before_erase;
+    AtRest rest;  // what Escape brings back while something is dragged
 };
 
 // Draws one frame and acts on its input. Never waits for the worker.

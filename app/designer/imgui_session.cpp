@@ -4,6 +4,7 @@
 #include <imgui_impl_opengl3.h>
 
 #include "app/gl/gl.h"
+#include "ui/missing_glyphs.h"
 #include "ui/theme.h"
 
 namespace nacre {
@@ -29,12 +30,20 @@ void ImguiSession::set_scale(float ui_scale, float pixels_a_unit) {
     if (ui_scale == ui_scale_ && pixels_a_unit == pixels_a_unit_) return;
     ui_scale_ = ui_scale;
     pixels_a_unit_ = pixels_a_unit;
-    ui::apply_theme(ui_scale, pixels_a_unit);
+    make_fonts();
+}
+
+void ImguiSession::make_fonts() {
+    ui::apply_theme(ui_scale_, pixels_a_unit_, fallback_.fonts());
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void ImguiSession::new_frame() const { ImGui_ImplOpenGL3_NewFrame(); }
+void ImguiSession::new_frame() {
+    const ImDrawData* shown = ImGui::GetDrawData();
+    if (shown != nullptr && fallback_.find(ui::missing_characters(*shown))) make_fonts();
+    ImGui_ImplOpenGL3_NewFrame();
+}
 
 void ImguiSession::draw(glm::ivec2 framebuffer) const {
     const ui::Colour& back = ui::palette::canvas;

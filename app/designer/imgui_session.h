@@ -3,6 +3,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/designer/fallback_fonts.h"
+
 namespace nacre {
 
 class ImguiSession {
@@ -16,13 +18,17 @@ class ImguiSession {
     // Between frames: style and fonts for another monitor. Nothing happens where the scale stays.
     void set_scale(float ui_scale, float pixels_a_unit);
 
-    void new_frame() const;
+    // Before ImGui::NewFrame. Characters that the last frame showed and no font had so far get theirs.
+    void new_frame();
 
     // Draws what ImGui::Render() made into framebuffer 0 of this size.
     void draw(glm::ivec2 framebuffer) const;
 
   private:
+    void make_fonts();
+
     float ui_scale_, pixels_a_unit_;
+    FallbackFonts fallback_;
 };
 
 }  // namespace nacre

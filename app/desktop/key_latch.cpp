@@ -3,27 +3,43 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_impl_glfw.h>
+
+#include "app/desktop/window.h"
+#include "ui/key_press.h"
 
 namespace nacre {
 
 KeyLatch::KeyLatch(GLFWwindow* window) : window_(window) {
     static_assert(keys == GLFW_KEY_LAST + 1);
+    for (int key = 0; key < keys; ++key) on_layout_[static_cast<std::size_t>(key)] = key;
     glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int modifiers) {
+    glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int code, int action, int modifiers) {
+        Window::notice();
+        if (key < 0 || key >= keys) return;
         auto* latch = static_cast<KeyLatch*>(glfwGetWindowUserPointer(from));
-        if (action != GLFW_PRESS || key < 0 || key >= keys) return;
-        // The letter that the layout has there, as Dear ImGui's backend numbers keys.
-        const char* name = glfwGetKeyName(key, 0);
-        if (name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) key = name[0] - 'a' + 'A';
-        latch->pressed_[static_cast<std::size_t>(key)] = true;
-        if (key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER) return;
-        latch->modifiers_ = modifiers;
-        latch->any_pressed_ = true;
+        ImGui_ImplGlfw_KeyCallback(from, latch->hear(key, action, modifiers), code, action, modifiers);
     });
     glfwSetDropCallback(window, [](GLFWwindow* from, int count, const char** files) {
+        Window::notice();
         auto* latch = static_cast<KeyLatch*>(glfwGetWindowUserPointer(from));
         latch->dropped_.insert(latch->dropped_.end(), files, files + count);
     });
+}
+
+int KeyLatch::hear(int position, int action, int modifiers) {
+    int& key = on_layout_[static_cast<std::size_t>(position)];
+    if (action != GLFW_PRESS) return key;
+    // Of a key of the number pad the name is a digit too.
+    const bool prints = position <= GLFW_KEY_WORLD_2;
+    key = prints ? ui::key_on_layout(position, glfwGetKeyName(position, 0)) : position;
+    pressed_[static_cast<std::size_t>(key)] = true;
+    if (key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER) return key;
+    // AltGr is no modifier to GLFW; what it types is no shortcut.
+    const bool graphic = glfwGetKey(window_, GLFW_KEY_RIGHT_ALT) == GLFW_PRESS;
+    modifiers_ = graphic ? modifiers | GLFW_MOD_ALT : modifiers;
+    any_pressed_ = true;
+    return key;
 }
 
 KeyLatch::~KeyLatch() {

@@ -42,8 +42,8 @@ void run(const Arguments& arguments) {
         return arguments.ui_scale > 0 ? arguments.ui_scale : window.monitor_scale();
     };
     nacre::ImguiSession session(ui_scale(), window.pixels_a_unit());
-    nacre::KeyLatch keys(window.handle());
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    nacre::KeyLatch keys(window.handle());
     {
         const auto variable = [](const char* name) { return std::getenv(name); };
         nacre::Designer designer({.folders = nacre::user_folders(variable),
@@ -54,7 +54,9 @@ void run(const Arguments& arguments) {
         nacre::Pace pace;
         reached("designer");
         while (!designer.files.may_quit()) {
-            const bool due = pace.wait(nacre::in_motion(designer));
+            const bool moves = nacre::in_motion(designer) || ImGui::IsAnyMouseDown();
+            const bool noticed = window.wait(pace.wait(glfwGetTime(), moves));
+            const bool due = pace.due(glfwGetTime(), noticed, ImGui::GetIO().WantTextInput);
             if (window.take_close_request()) nacre::perform(designer, nacre::ui::Command::quit);
             if (!due) continue;
             session.set_scale(ui_scale(), window.pixels_a_unit());

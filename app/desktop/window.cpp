@@ -3,10 +3,34 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <atomic>
 #include <stdexcept>
+
+#include "core/design/error.h"
 
 namespace nacre {
 namespace {
+
+std::atomic<bool> noticed{true};  // since the last wait; the first frame is there to be drawn
+
+// Of whatever may change what the window shows. Those that Dear ImGui's backend takes for itself go on to
+// these.
+void notice_all(GLFWwindow* window) {
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow*, int, int) { Window::notice(); });
+    glfwSetWindowSizeCallback(window, [](GLFWwindow*, int, int) { Window::notice(); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow*) { Window::notice(); });
+    glfwSetWindowPosCallback(window, [](GLFWwindow*, int, int) { Window::notice(); });
+    glfwSetWindowContentScaleCallback(window, [](GLFWwindow*, float, float) { Window::notice(); });
+    glfwSetWindowIconifyCallback(window, [](GLFWwindow*, int) { Window::notice(); });
+    glfwSetWindowMaximizeCallback(window, [](GLFWwindow*, int) { Window::notice(); });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow*) { Window::notice(); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow*, int) { Window::notice(); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow*, int) { Window::notice(); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow*, double, double) { Window::notice(); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow*, int, int, int) { Window::notice(); });
+    glfwSetScrollCallback(window, [](GLFWwindow*, double, double) { Window::notice(); });
+    glfwSetCharCallback(window, [](GLFWwindow*, unsigned) { Window::notice(); });
+}
 
 std::runtime_error glfw_failure(const char* what) {
     const char* reason = nullptr;
@@ -49,6 +73,7 @@ Window::Window(glm::ivec2 size, const std::string& title) : title_(title) {
     }
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
+    notice_all(window_);
 }
 
 Window::~Window() {
@@ -79,7 +104,7 @@ glm::ivec2 Window::framebuffer_size() const {
 void Window::set_title(const std::string& title) {
     if (title == title_) return;
     title_ = title;
-    glfwSetWindowTitle(window_, title.c_str());
+    glfwSetWindowTitle(window_, one_line(title).c_str());  // a file's name may be no UTF-8
 }
 
 void Window::set_full_screen(bool wanted) {
@@ -105,6 +130,16 @@ bool Window::take_close_request() {
 
 void Window::swap() { glfwSwapBuffers(window_); }
 
-void Window::wake() { glfwPostEmptyEvent(); }
+bool Window::wait(double seconds) {
+    glfwWaitEventsTimeout(seconds);
+    return noticed.exchange(false);
+}
+
+void Window::notice() { noticed = true; }
+
+void Window::wake() {
+    notice();
+    glfwPostEmptyEvent();
+}
 
 }  // namespace nacre

@@ -31,7 +31,12 @@ class Window {
     bool take_close_request();
     void swap();
 
-    // Ends the wait for events, from any thread.
+    // Waits for events. Returns whether one came since the last wait that may change what is shown: told by
+    // the events, since how long the wait took says nothing about one at its very end.
+    bool wait(double seconds);
+    // To be called for such an event that this class does not see, ...
+    static void notice();
+    // ... or from any thread to end the wait.
     static void wake();
 
   private:

@@ -23,6 +23,14 @@ constexpr int left_shift = 340;
 constexpr int left_control = 341;
 constexpr int left_alt = 342;
 
+// What the key types on a US keyboard; Shift makes letters of letters, other signs have keys of their own
+// here.
+void type(ImGuiIO& io, const ui::KeyPress& press) {
+    const bool letter = press.key >= 'A' && press.key <= 'Z', prints = press.key >= ' ' && press.key <= '~';
+    if (!prints || press.ctrl || press.alt || (press.shift && !letter)) return;
+    io.AddInputCharacter(static_cast<unsigned>(letter && !press.shift ? press.key - 'A' + 'a' : press.key));
+}
+
 }  // namespace
 
 void map_keys(ImGuiIO& io) {
@@ -35,6 +43,7 @@ void set_key(ImGuiIO& io, const ui::KeyPress& press, bool down) {
     io.KeysDown[left_control] = io.KeyCtrl = down && press.ctrl;
     io.KeysDown[left_shift] = io.KeyShift = down && press.shift;
     io.KeysDown[left_alt] = io.KeyAlt = down && press.alt;
+    if (down) type(io, press);
 }
 
 }  // namespace nacre

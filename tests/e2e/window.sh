@@ -1,7 +1,7 @@
 #!/bin/bash
 # window.sh FOLDER_OF_PROGRAMS PRESETS OUTPUT: the real window under Xvfb, used as by hand: a preset is
 # opened, a slider and a handle dragged, the light moved, canvas and sphere painted on, an edit undone, the
-# design saved, the window closed.
+# design saved, the window resized, hidden and shown again, and closed.
 # Pictures of it stay in OUTPUT.
 set -euo pipefail
 programs=$(realpath "$1") presets=$(realpath "$2") out=$3
@@ -147,6 +147,37 @@ idle=$(ticks)
 pause 2
 idle=$(($(ticks) - idle))
 [ $((100 * idle)) -le $((2 * 2 * $(getconf CLK_TCK))) ] || fail "left alone it takes $idle ticks in two seconds"
+
+# The pixel in the corner of the status line, which stands elsewhere in every size.
+corner() { import -window "$window" png:- | convert - -format "%[pixel:p{$(($1 - 3)),$(($2 - 3))}]" info:; }
+# drawn WIDTH HEIGHT WHAT: soon, and with no further input.
+drawn() {
+    for _ in $(seq 30); do
+        [ "$(corner "$1" "$2")" = "$corner" ] && return
+        sleep 0.1
+    done
+    fail "not drawn after $3"
+}
+# Left alone, then changed at any moment of its sleep.
+xdotool mousemove 5 5
+corner=$(corner 1280 800)
+for i in $(seq 10); do
+    sleep "1.$((RANDOM % 5))$((RANDOM % 10))"
+    width=$((i % 2 ? 760 + 10 * i : 1270 - 10 * i)) height=$((i % 2 ? 560 + 7 * i : 790 - 7 * i))
+    xdotool windowsize "$window" $width $height
+    drawn $width $height "size $width x $height"
+done
+pause 1.2
+xdotool windowunmap "$window"
+pause 1.2
+xdotool windowmap "$window"
+drawn $width $height 'it was hidden'
+pause 1.2
+xdotool windowmove "$window" 3000 0
+pause 1.2
+xdotool windowmove "$window" 0 0
+drawn $width $height 'it was away'
+xdotool windowfocus "$window" || true
 
 xdotool key --clearmodifiers ctrl+q
 for _ in $(seq 50); do

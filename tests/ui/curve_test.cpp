@@ -178,9 +178,14 @@ TEST_CASE("curve: typed numbers are exact, within the neighbours") {
     r.rig.enter_number("Point angle", "12.3456789");
     CHECK(r.points()[1].first == 12.3456789);
     r.rig.enter_number("Point angle", "100");
-    CHECK(r.points()[1].first == doctest::Approx(44.99));
+    CHECK(r.points()[1].first == 12.3456789);
+    CHECK(r.rig.has("Point angle problem"));
     r.rig.enter_number("Point value", "-1");
-    CHECK(r.points()[1].second == 0);
+    CHECK(r.points()[1].second == 0.12345678901);
+    CHECK(r.rig.has("Point value problem"));
+    r.rig.enter_number("Point angle", "12,5\u00b0");
+    CHECK(r.points()[1].first == 12.5);
+    CHECK(!r.rig.has("Point angle problem"));
     r.rig.click("Remove point");
     CHECK(r.points().size() == 2);
 }

@@ -41,13 +41,19 @@ TEST_CASE("material: a colour that is not touched keeps all its digits") {
 TEST_CASE("material: conductors and dielectrics have their sliders within the limits") {
     Fresnel fresnel = ConductorFresnel{};
     PanelRig rig([&] { ui::fresnel_panel(fresnel); });
+    rig.enter_number("eta green", "0,001");
+    CHECK(std::get<ConductorFresnel>(fresnel).eta.y == limits::eta_min);
     rig.enter_number("eta green", "0");
     CHECK(std::get<ConductorFresnel>(fresnel).eta.y == limits::eta_min);
+    CHECK(rig.has("eta green problem"));
+    rig.enter_number("k blue", "100");
+    CHECK(std::get<ConductorFresnel>(fresnel).k.z == limits::k_max);
     rig.enter_number("k blue", "500");
     CHECK(std::get<ConductorFresnel>(fresnel).k.z == limits::k_max);
+    CHECK(rig.has("k blue problem"));
     fresnel = DielectricFresnel{};
     rig.enter_number("Refraction", "0.3");
-    CHECK(std::get<DielectricFresnel>(fresnel).ior == limits::ior_min);
+    CHECK(std::get<DielectricFresnel>(fresnel).ior == DielectricFresnel{}.ior);
 }
 
 TEST_CASE("material: masking") {

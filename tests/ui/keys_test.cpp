@@ -1,0 +1,64 @@
+// Which key is which on the layouts of several countries, and signs that are typed.
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <vector>
+
+#include "tests/ui/panel_rig.h"
+#include "ui/commands.h"
+#include "ui/key_press.h"
+
+using namespace nacre;
+
+TEST_CASE("keys: letters are those of the layout") {
+    using ui::key_on_layout;
+    CHECK(key_on_layout('Z', "z") == 'Z');
+    CHECK(key_on_layout('Y', "z") == 'Z');  // German
+    CHECK(key_on_layout('Z', "y") == 'Y');
+    CHECK(key_on_layout('Q', "a") == 'A');  // French: Ctrl+A selects and does not quit
+    CHECK(key_on_layout('A', "q") == 'Q');
+    CHECK(key_on_layout(';', "m") == 'M');
+    CHECK(key_on_layout('M', ",") == ',');
+    CHECK(key_on_layout('Q', "'") == '\'');      // Dvorak
+    CHECK(key_on_layout('Z', "\u044f") == 'Z');  // Russian: by place
+    CHECK(key_on_layout('[', "\u00fc") == '[');
+    CHECK(key_on_layout('S', nullptr) == 'S');
+    CHECK(key_on_layout('S', "") == 'S');
+}
+
+TEST_CASE("keys: the row of digits stays theirs where it needs Shift for them") {
+    using ui::key_on_layout;
+    CHECK(key_on_layout('1', "1") == '1');
+    CHECK(key_on_layout('1', "&") == '1');  // French
+    CHECK(key_on_layout('6', "-") == '6');
+    CHECK(key_on_layout('2', "\u00e9") == '2');
+    CHECK(key_on_layout('2', "\u011b") == '2');  // Czech
+}
+
+TEST_CASE("keys: signs are what is typed, with whatever keys") {
+    std::vector<ui::Order> pressed;
+    PanelRig rig([&] {
+        if (const auto command = ui::pressed_shortcut()) pressed.push_back(*command);
+    });
+    ImGuiIO& io = ImGui::GetIO();
+    using enum ui::Command;
+    const auto with = [&](bool shift, bool alt, int key, const char* text) {
+        io.KeyShift = shift;
+        io.KeyAlt = alt;
+        io.KeysDown[key] = true;
+        rig.type(text);
+        io.KeysDown[key] = io.KeyShift = io.KeyAlt = false;
+        rig.frame();
+    };
+    with(false, false, '[', "[");
+    with(false, true, '8', "[");  // AltGr+8 of Germany is no layer
+    with(false, true, '9', "]");
+    with(false, false, ',', ",");
+    with(true, false, ';', ".");  // French
+    with(true, false, '3', "3");
+    with(false, false, '3', "\"");
+    with(false, false, '[', "\u00fc");
+    CHECK(pressed == std::vector<ui::Order>{brush_smaller, brush_smaller, brush_larger, brush_smaller,
+                                            brush_larger, ui::Order(choose_layer, 2),
+                                            ui::Order(choose_layer, 2)});
+}

@@ -1,0 +1,44 @@
+#include "ui/escape.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace nacre::ui {
+namespace {
+
+int taken_back = -1;  // the frame
+
+int escape_key() { return ImGui::GetIO().KeyMap[ImGuiKey_Escape]; }
+
+}  // namespace
+
+bool escape_pressed() { return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(escape_key(), false); }
+
+bool take_escape() {
+    if (!escape_pressed()) return false;
+    // As if it had gone down long before this frame.
+    ImGui::GetIO().KeysDownDuration[escape_key()] = ImGui::GetIO().DeltaTime;
+    return true;
+}
+
+bool take_escape_of_drag() {
+    if (!ImGui::IsAnyItemActive() || !ImGui::IsAnyMouseDown() || !take_escape()) return false;
+    ImGui::ClearActiveID();
+    taken_back = ImGui::GetFrameCount();
+    return true;
+}
+
+bool drag_taken_back() { return taken_back == ImGui::GetFrameCount(); }
+
+void close_popup_by_escape() {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImVector<ImGuiPopupData>& open = context.OpenPopupStack;
+    if (open.empty() || ImGui::IsAnyMouseDown()) return;
+    const ImGuiWindow* top = open.back().Window;
+    if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0 || !take_escape()) return;
+    // A menu inside another opens under the pointer: not again before that moves.
+    if ((top->Flags & ImGuiWindowFlags_ChildMenu) != 0) context.NavDisableMouseHover = true;
+    ImGui::ClosePopupToLevel(open.Size - 1, true);
+}
+
+}  // namespace nacre::ui
