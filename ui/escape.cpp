@@ -6,7 +6,8 @@
 namespace nacre::ui {
 namespace {
 
-int taken_back = -1;  // the frame
+int taken_back = -1;         // the frame
+bool pointer_rests = false;  // on the entry of a menu that was closed: it opens by being pointed at
 
 int escape_key() { return ImGui::GetIO().KeyMap[ImGuiKey_Escape]; }
 
@@ -33,11 +34,13 @@ bool drag_taken_back() { return taken_back == ImGui::GetFrameCount(); }
 void close_popup_by_escape() {
     ImGuiContext& context = *ImGui::GetCurrentContext();
     const ImVector<ImGuiPopupData>& open = context.OpenPopupStack;
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    pointer_rests &= !open.empty() && moved.x == 0 && moved.y == 0 && !ImGui::IsAnyMouseDown();
+    if (pointer_rests) context.NavDisableMouseHover = true;
     if (open.empty() || ImGui::IsAnyMouseDown()) return;
     const ImGuiWindow* top = open.back().Window;
     if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0 || !take_escape()) return;
-    // A menu inside another opens under the pointer: not again before that moves.
-    if ((top->Flags & ImGuiWindowFlags_ChildMenu) != 0) context.NavDisableMouseHover = true;
+    pointer_rests = context.NavDisableMouseHover = (top->Flags & ImGuiWindowFlags_ChildMenu) != 0;
     ImGui::ClosePopupToLevel(open.Size - 1, true);
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("escape: the colours beside a swatch close, and a drag in them is take
     const Design before = r.document().design;
     r.play("click \"f0 swatch\"\nframes 5");
     CHECK(open_popups() == 1);
-    r.play("move \"f0 picker\":0.3,0.5\ndown left\nframes 2\nmove \"f0 picker\":0.35,0.3\nframes 2");
+    r.play("move \"f0 picker\":0.45,0.45\ndown left\nframes 2\nmove \"f0 picker\":0.5,0.55\nframes 2");
     CHECK(r.document().design != before);
     r.play("key Escape\nframes 2\nup left\nframes 2");
     CHECK(r.document().design == before);
