@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace nacre {
 namespace {
@@ -101,6 +102,11 @@ bool Window::take_close_request() {
     if (glfwWindowShouldClose(window_) == GLFW_FALSE) return false;
     glfwSetWindowShouldClose(window_, GLFW_FALSE);
     return true;
+}
+
+bool Window::take_focus() {
+    const bool before = std::exchange(focused_, glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE);
+    return focused_ && !before;
 }
 
 void Window::swap() { glfwSwapBuffers(window_); }

@@ -29,6 +29,8 @@ class Window {
     void set_full_screen(bool wanted);
     // The close button since the last call.
     bool take_close_request();
+    // Whether it has got the focus since the last call.
+    bool take_focus();
     void swap();
 
     // Ends the wait for events, from any thread.
@@ -38,6 +40,7 @@ class Window {
     GLFWwindow* window_ = nullptr;
     std::string title_;
     bool full_screen_ = false;
+    bool focused_ = true;
     glm::ivec2 place_{0}, size_{0};  // before full screen
 };
 
