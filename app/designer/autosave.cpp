@@ -1,15 +1,20 @@
 #include "app/designer/autosave.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
 #include "app/designer/kept_file.h"
 #include "core/design/design_file.h"
+#include "core/design/design_pictures.h"
 #include "core/design/error.h"
 #include "core/design/json_text.h"
+#include "core/design/picture_files.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/input_file.h"
 
@@ -18,45 +23,111 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int version = 1;
+constexpr int version = 2;  // 1 named pictures by their files alone
+
+// A file as JSON: its path, and what it held. Nothing for a path that is not UTF-8.
+std::optional<nlohmann::ordered_json> file_json(const fs::path& file, const HeldFiles& held) {
+    if (file.empty() || !json_path(file)) return {};
+    nlohmann::ordered_json json;
+    json["file"] = file.string();
+    if (const auto content = content_in(held, file)) json["held"] = content_text(*content);
+    return json;
+}
 
 std::string head_text(const UnsavedWork& work) {
     nlohmann::ordered_json head;
     head["nacre_autosave"] = version;
     head["name"] = work.design.name;
-    if (json_path(work.file)) head["file"] = work.file.string();
+    if (const auto file = file_json(work.file, work.held)) head.update(*file);
+    auto pictures = nlohmann::ordered_json::array();
+    for_each_picture(work.design, [&](const Picture& picture, const std::string& where) {
+        if (auto file = file_json(picture.file, work.held)) {
+            (*file)["at"] = where;
+            pictures.push_back(*std::move(file));
+        }
+    });
+    if (!pictures.empty()) head["pictures"] = std::move(pictures);
     return head.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-AutosaveHead head_of(std::string_view line, const std::string& file) {
+// The first line.
+struct Head {
+    std::string name;
+    fs::path file;
+    std::map<std::string, fs::path> pictures;  // by where they stand in the design
+    HeldFiles held;
+};
+
+fs::path read_file(ObjectReader& object, HeldFiles& held) {
+    if (!object.has("file")) return {};
+    const fs::path file = read_path(object.at("file"));
+    if (!file.is_absolute()) object.at("file").fail("must be an absolute path");
+    if (!object.has("held")) return file;
+    const auto content = parse_content(object.at("held").text());
+    if (!content) object.at("held").fail("must tell what the file held");
+    held[file] = *content;
+    return file;
+}
+
+Head read_head(std::string_view line, const std::string& file) {
     const nlohmann::json json = parse_json(line, file);
     ObjectReader object(JsonValue(json, "unsaved", file));
-    object.required("nacre_autosave", "the version of the file").whole_number(version, version);
-    AutosaveHead head;
-    std::string path;
+    object.required("nacre_autosave", "the version of the file").whole_number(1, version);
+    Head head;
     object.text("name", head.name);
-    object.text("file", path);
+    head.file = read_file(object, head.held);
+    if (object.has("pictures"))
+        for (const JsonValue& element : object.at("pictures").elements("must be a list of pictures")) {
+            ObjectReader picture(element);
+            std::string at;
+            picture.text("at", at);
+            head.pictures[at] = read_file(picture, head.held);
+            picture.finish("a picture's file");
+        }
     object.finish("unsaved work");
-    head.file = path;
     return head;
+}
+
+// What is known of the files that the work needs.
+HeldFiles held_by(const Document& document) {
+    HeldFiles held;
+    const auto hold = [&](const fs::path& file) {
+        if (const auto content = content_in(document.held, file)) held[file] = *content;
+    };
+    hold(document.file);
+    for (const fs::path& file : picture_files(document.history.current())) hold(file);
+    return held;
 }
 
 }  // namespace
 
 void write_autosave(const UnsavedWork& work, const fs::path& file) {
-    write_file_atomically(file, head_text(work) + design_json(work.design, file.parent_path()));
+    std::string text =
+        design_json(with_pictures_held(work.design, picture_files(work.design)), file.parent_path());
+    text.insert(0, head_text(work));
+    if (text.size() > autosave_bytes_max)
+        throw UserError(
+            file.string(), "write",
+            fmt::format("the work is larger than the {} bytes that can be restored", autosave_bytes_max),
+            fmt::format("{} bytes", text.size()));
+    write_file_atomically(file, text);
 }
 
 AutosaveHead read_autosave_head(const fs::path& file) {
-    const std::string line = read_first_line(file);
-    return head_of(line, file.string());
+    Head head = read_head(read_first_line(file, autosave_bytes_max), file.string());
+    return {std::move(head.name), std::move(head.file)};
 }
 
 UnsavedWork read_autosave(const fs::path& file) {
-    const std::string text = read_text_file(file);
+    const std::string text = read_text_file(file, autosave_bytes_max);
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const AutosaveHead head = head_of(std::string_view(text).substr(0, end), file.string());
-    return {parse_work(std::string_view(text).substr(end), file.string(), file.parent_path()), head.file};
+    Head head = read_head(std::string_view(text).substr(0, end), file.string());
+    Design design = parse_work(std::string_view(text).substr(end), file.string(), file.parent_path());
+    for_each_picture(design, [&](Picture& picture, const std::string& where) {
+        if (const auto found = head.pictures.find(where); found != head.pictures.end())
+            picture.file = found->second;
+    });
+    return {std::move(design), std::move(head.file), std::move(head.held)};
 }
 
 Autosave::Autosave(fs::path folder)
@@ -68,11 +139,16 @@ Autosave::Autosave(fs::path folder)
 
 void Autosave::write(const Wanted& wanted) {
     if (!wanted) {
-        if (own_) own_->remove(autosave_name);
+        if (own_) own_->remove_file();
         return;
     }
-    if (!own_) own_ = make_owned_folder(folder_);
-    write_autosave(*wanted, own_->path() / autosave_name);
+    make_folder();
+    write_autosave(*wanted, own_->file());
+}
+
+// Another one where somebody has changed what the present one is.
+void Autosave::make_folder() {
+    if (!own_ || !own_->intact()) own_ = make_owned_folder(folder_);
 }
 
 void Autosave::submit(Wanted wanted) {
@@ -86,21 +162,27 @@ void Autosave::follow(const Document& document) {
         kept_ = done->revision;
         problem_ = done->error ? plain_words(done->error) : std::string();
     }
-    const Design& newest = document.history.current();
     if (document.history.saved()) {
         if (wanted_) submit({});
-    } else if (!wanted_ || wanted_->design != newest || wanted_->file != document.file) {
-        submit(UnsavedWork{newest, document.file});
+        return;
     }
+    const Design& newest = document.history.current();
+    HeldFiles held = held_by(document);
+    if (!wanted_ || wanted_->design != newest || wanted_->file != document.file || wanted_->held != held)
+        submit(UnsavedWork{newest, document.file, std::move(held)});
 }
 
 void Autosave::take_over(LostAndFound found) {
     if (folder_.empty()) return;
     job_.wait();
-    if (!own_) own_ = make_owned_folder(folder_);
-    own_->take(autosave_name, found.folder);
-    wanted_ = std::move(found.work);
-    found.folder.erase();
+    try {
+        make_folder();
+        own_->take(found.folder);
+        found.folder.erase();
+        wanted_ = std::move(found.work);
+    } catch (const std::exception&) {
+        problem_ = problem_line();  // it is written anew, and what was left stays
+    }
 }
 
 void Autosave::finish() {

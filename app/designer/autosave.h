@@ -17,6 +17,7 @@ namespace nacre {
 struct UnsavedWork {
     Design design;
     std::filesystem::path file;  // of the document; empty for one that was never saved
+    HeldFiles held = {};         // as of the document
     bool operator==(const UnsavedWork&) const = default;
 };
 
@@ -26,9 +27,11 @@ struct LostAndFound {
     OwnedFolder folder;
 };
 
-inline constexpr const char* autosave_name = "unsaved.nacre";  // in the folder of its owner
+// More than sixteen layers of painted and modulated facets take.
+inline constexpr std::uintmax_t autosave_bytes_max = std::uintmax_t{1} << 30;
 
-// The first line is JSON about the work, the rest is a design file.
+// The first line is JSON about the work, the rest is a design file. The pictures of the design are held in
+// it, so that it needs no other file to be restored. What could not be read again is a UserError.
 void write_autosave(const UnsavedWork& work, const std::filesystem::path& file);
 
 // Its first line alone.
@@ -69,6 +72,7 @@ class Autosave {
   private:
     using Wanted = std::optional<UnsavedWork>;  // none: no file
     void write(const Wanted& wanted);
+    void make_folder();
     void submit(Wanted wanted);
 
     std::filesystem::path folder_;

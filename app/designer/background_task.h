@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -35,7 +36,8 @@ class BackgroundTask {
     struct State {
         std::atomic<double> progress = 0;
         std::atomic<bool> done = false;
-        Ended ended;
+        std::string message;
+        std::exception_ptr error;
     };
     std::shared_ptr<State> state_;
     std::jthread thread_;

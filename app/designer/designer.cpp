@@ -3,19 +3,23 @@
 #include <imgui.h>
 
 #include <chrono>
+#include <exception>
 #include <optional>
 #include <utility>
 
+#include "app/designer/dialogs_in_turn.h"
 #include "app/designer/perform.h"
 #include "app/designer/scene_panel.h"
 #include "app/designer/status.h"
 #include "app/designer/take_back.h"
+#include "app/designer/work_files.h"
+#include "core/design/error.h"
+#include "ui/abandon_frame.h"
 #include "ui/escape.h"
 #include "ui/item_map.h"
 #include "ui/material_panel.h"
 #include "ui/number_item.h"
 #include "ui/presets_panel.h"
-#include "ui/shortcut_sheet.h"
 #include "ui/status_line.h"
 #include "ui/term_bar.h"
 #include "ui/widgets.h"
@@ -183,75 +187,13 @@ std::filesystem::path autosave_folder(const UserFolders& folders) {
     return folders.state.empty() ? folders.state : folders.state / "unsaved";
 }
 
-void prepare_dialogs(Designer& designer) {
-    const auto dialogs = file_dialogs(designer);
-    designer.files.remember({.settings = &designer.settings.values,
-                             .recent = &designer.recent,
-                             .dialogs = dialogs,
-                             .home = designer.options.folders.home});
-    designer.exporter.remember(&designer.settings.values, dialogs);
-    designer.pictures_of_preview.remember(&designer.settings.values, dialogs);
-}
-
-void tell(Designer& designer, const std::optional<std::string>& message) {
-    if (message) designer.files.tell(*message);
-}
-
-// One at a time.
-void draw_dialogs(Designer& designer) {
-    Document& document = designer.document;
-    designer.files.draw(document);
-    if (auto restored = designer.files.take_restored()) designer.autosave.take_over(std::move(*restored));
-    if (designer.files.talking()) return;
-    if (auto found = designer.recovery.draw())
-        designer.files.restore(document, std::move(*found));
-    else if (designer.sheet)
-        designer.sheet = ui::shortcut_sheet();
-    else if (designer.exporter.talking())
-        tell(designer, designer.exporter.draw(document, designer.preview, designer.scene));
-    else if (designer.pictures_of_preview.talking() || designer.pictures_of_preview.in_motion())
-        tell(designer, designer.pictures_of_preview.draw(document, designer.preview, designer.scene));
-    else if (designer.plots.saving.talking())
-        tell(designer, designer.plots.saving.draw());
-    else if (designer.objects.talking())
-        designer.objects.talk();
-    else if (designer.environment.talking())
-        designer.environment.talk();
-    else
-        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
-    if (auto surroundings = designer.pictures.take_surroundings())
-        designer.environment.want(surroundings->string());
-}
-
 // On the disk: the newest step of undo at once, the settings while no border is dragged.
 void keep(Designer& designer) {
     designer.autosave.follow(designer.document);
     if (!ImGui::IsAnyMouseDown()) designer.settings.keep();
 }
 
-}  // namespace
-
-Designer::Designer(const DesignerOptions& given)
-    : options(given),
-      settings(options.folders.config),
-      recent(options.folders.state),
-      autosave(autosave_folder(options.folders)),
-      recovery(autosave_folder(options.folders)),
-      baker(options.bake_threads, options.wake),
-      comparison(options.bake_threads, options.wake),
-      presets(list_presets(presets_folder())) {
-    if (!options.folders.data.empty())
-        for (Preset& own : list_presets(options.folders.data / "presets")) presets.push_back(std::move(own));
-    recovery.look();
-}
-
-bool talking(const Designer& designer) {
-    return designer.files.talking() || designer.pictures.talking() || designer.recovery.talking() ||
-           designer.exporter.talking() || designer.pictures_of_preview.talking() || designer.sheet ||
-           designer.environment.talking() || designer.objects.talking() || designer.plots.saving.talking();
-}
-
-void draw_frame(Designer& designer) {
+void draw_all(Designer& designer) {
     Document& document = designer.document;
     prepare_dialogs(designer);
     ui::close_popup_by_escape();
@@ -279,6 +221,7 @@ void draw_frame(Designer& designer) {
         parts.drawer = [&] { designer.plots.draw(document.stem(), file_dialogs(designer)); };
     draw_layout(designer.settings.values.layout, parts);
     designer.environment.follow(designer.scene.environment);
+    follow_files(designer);
     draw_dialogs(designer);
 
     ui::take_escape_of_drag();
@@ -291,6 +234,35 @@ void draw_frame(Designer& designer) {
     ask(designer);
     keep(designer);
     ui::reserve_tab();
+}
+
+}  // namespace
+
+Designer::Designer(const DesignerOptions& given)
+    : options(given),
+      settings(options.folders.config),
+      recent(options.folders.state),
+      autosave(autosave_folder(options.folders)),
+      recovery(autosave_folder(options.folders)),
+      baker(options.bake_threads, options.wake),
+      comparison(options.bake_threads, options.wake),
+      watch(options.wake),
+      presets(list_presets(presets_folder())) {
+    if (!options.folders.data.empty())
+        for (Preset& own : list_presets(options.folders.data / "presets")) presets.push_back(std::move(own));
+    recovery.look();
+}
+
+// What is short, memory most likely, may be there again in the next frame. What was being edited goes back to
+// the newest step of undo, which is whole.
+void draw_frame(Designer& designer) {
+    try {
+        draw_all(designer);
+    } catch (const std::exception&) {
+        ui::abandon_frame();
+        designer.document.design = designer.document.history.current();
+        designer.files.report(problem_line());
+    }
 }
 
 bool in_motion(const Designer& designer) {

@@ -11,11 +11,13 @@
 #include "app/designer/autosave.h"
 #include "app/designer/bake_job.h"
 #include "app/designer/canvas_pane.h"
+#include "app/designer/changed_pictures.h"
 #include "app/designer/comparison.h"
 #include "app/designer/document.h"
 #include "app/designer/environment_panel.h"
 #include "app/designer/export_flow.h"
 #include "app/designer/file_flow.h"
+#include "app/designer/file_watch.h"
 #include "app/designer/folder.h"
 #include "app/designer/layout.h"
 #include "app/designer/object_chooser.h"
@@ -58,6 +60,8 @@ struct Designer {
     Comparison comparison;
     CanvasPane canvas;
     FileFlow files;
+    FileWatch watch;
+    ChangedPictures changed_pictures;
     PictureDrop pictures;
     EnvironmentPanel environment;
     PlotsPane plots;
@@ -86,6 +90,13 @@ void perform(Designer& designer, ui::Order order);
 // A file came from outside, by a drop or by the command line: a design is opened, with the question where
 // work would be lost; a picture asks what it is for.
 void take_file(Designer& designer, const std::filesystem::path& file);
+
+// The design that the program was started with; where it cannot be read, the window says why.
+void open_at_start(Designer& designer, const std::filesystem::path& file);
+
+// The window has the focus again: whether another program has changed the files that the work came from is
+// looked up, and asked about where one has.
+void notice_focus(Designer& designer);
 
 // Whether a dialog has the keyboard.
 bool talking(const Designer& designer);

@@ -3,6 +3,10 @@
 #include <cctype>
 #include <utility>
 
+#include "core/design/design_file.h"
+#include "core/design/picture_files.h"
+#include "core/exchange/input_file.h"
+
 namespace nacre {
 
 Design starter_design() {
@@ -14,6 +18,14 @@ Design starter_design() {
 
 Document::Document(Design start, std::filesystem::path from)
     : history(start), design(std::move(start)), file(std::move(from)) {
+    history.mark_saved();
+}
+
+void Document::reload(const Document& read) {
+    commit();
+    design = read.design;
+    held = read.held;
+    commit();
     history.mark_saved();
 }
 
@@ -52,6 +64,14 @@ std::string Document::title() const {
     else if (text.empty())
         text = "Untitled";
     return (unsaved() ? "\u25cf " : "") + text;
+}
+
+Document read_document(const std::filesystem::path& file) {
+    const std::string text = read_text_file(file);
+    Document document(parse_work(text, file.string(), file.parent_path()), file);
+    document.held = held_now(picture_files(document.design));
+    document.held[file] = content_of(text);
+    return document;
 }
 
 }  // namespace nacre

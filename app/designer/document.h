@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/design/history.h"
+#include "core/exchange/file_content.h"
 
 namespace nacre {
 
@@ -16,11 +17,17 @@ struct Document {
     Design design;                 // as on the screen; differs from history.current() only during an edit
     std::filesystem::path file;    // empty before the first save
     std::filesystem::path preset;  // that it began as, or empty
+    // What the file and the pictures that the design refers to held when they were last read, written, or
+    // left as they are by the user's own word.
+    HeldFiles held;
 
     explicit Document(Design start = starter_design(), std::filesystem::path from = {});
 
     // From now on it differs from what is on the disk, whatever it is.
     void mark_unsaved() { history.mark_unsaved(); }
+
+    // The design that stands in the file now takes the place of this one, in one step of undo.
+    void reload(const Document& read);
 
     // Ends the present edit: one step of undo, if anything changed.
     void commit();
@@ -35,5 +42,8 @@ struct Document {
     // "Satin \u2013 satin.nacre", with a dot before it while unsaved.
     std::string title() const;
 };
+
+// What is wrong with the file or a picture is a UserError.
+Document read_document(const std::filesystem::path& file);
 
 }  // namespace nacre

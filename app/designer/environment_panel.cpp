@@ -3,11 +3,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <exception>
+#include <array>
 #include <filesystem>
 #include <utility>
 #include <vector>
 
+#include "core/design/error.h"
 #include "core/exchange/environment_file.h"
 #include "core/light/procedural.h"
 #include "ui/item_map.h"
@@ -24,14 +25,6 @@ FileQuestion picture_question(const fs::path& folder) {
             .folder = folder,
             .kind = "Picture by latitude and longitude",
             .endings = {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"}};
-}
-
-std::string reason_of(const std::exception_ptr& error) {
-    try {
-        std::rethrow_exception(error);
-    } catch (const std::exception& problem) {
-        return problem.what();
-    }
 }
 
 // A list whose entries can be found by their labels. Returns whether another was chosen.
@@ -63,7 +56,9 @@ bool is_procedural(const std::string& name) {
 
 EnvironmentPanel::EnvironmentPanel()
     : job_([](const std::string& name, const std::stop_token&, const auto& publish) {
-          publish(load_environment(name));
+          HeldFiles held;
+          if (!is_procedural(name)) held = held_now(std::array<fs::path, 1>{name});
+          publish({load_environment(name), std::move(held)});
       }) {}
 
 void EnvironmentPanel::want(std::string name_or_file) {
@@ -92,6 +87,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
             chooser_.ask(picture_question(fs::path(last_file_).parent_path()), dialogs);
         } else if (chosen == 0) {
             surroundings.picture.reset();
+            held_.clear();
             wanted_.reset();
         } else {
             want(names[chosen]);
@@ -130,9 +126,10 @@ void EnvironmentPanel::follow(Surroundings& surroundings) {
     if (auto published = job_.poll(); published && wanted_ && published->revision == asked_) {
         const std::string name = *std::exchange(wanted_, std::nullopt);
         if (published->result) {
-            surroundings.picture = *std::move(published->result);
+            surroundings.picture = std::move(published->result->picture);
+            held_ = std::move(published->result->held);
         } else {
-            problem_ = reason_of(published->error);
+            problem_ = problem_line(published->error);
             if (last_file_ == name) last_file_.clear();
         }
     }

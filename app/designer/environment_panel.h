@@ -9,6 +9,7 @@
 #include "app/designer/file_chooser.h"
 #include "app/preview/scene.h"
 #include "core/bake/latest_job.h"
+#include "core/exchange/file_content.h"
 #include "core/light/environment.h"
 
 namespace nacre {
@@ -35,13 +36,23 @@ class EnvironmentPanel {
     bool in_motion() const { return wanted_ || chooser_.has_answer(); }
     void wait() const { job_.wait(); }
 
+    // What the file of the present picture held when it was read; empty where it came from none.
+    HeldFiles& held() { return held_; }
+    const HeldFiles& held() const { return held_; }
+
   private:
+    struct Read {
+        std::shared_ptr<const Environment> picture;
+        HeldFiles held;
+    };
+
     std::optional<std::string> wanted_;
     std::string last_file_;  // stays in the list
     FileChooser chooser_;
     std::string problem_;
+    HeldFiles held_;
     std::uint64_t asked_ = 0;
-    LatestJob<std::string, std::shared_ptr<const Environment>> job_;
+    LatestJob<std::string, Read> job_;
 };
 
 }  // namespace nacre

@@ -4,12 +4,15 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <exception>
 #include <system_error>
 #include <utility>
 
 #include "app/designer/folder.h"
+#include "core/design/error.h"
 #include "core/exchange/export_format.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/output_guard.h"
 
 namespace nacre {
 namespace {
@@ -88,6 +91,7 @@ void ExportFlow::draw_file(const Document& document, PreviewPane& preview, const
         return;
     }
     output_ = answer->chosen;
+    if (!may_write()) return;
     if (!replaced(output_).empty())
         step_ = Step::replace;
     else
@@ -103,8 +107,29 @@ void ExportFlow::draw_question(const Document& document, PreviewPane& preview, c
         ask_file(document);
 }
 
+// Says why not.
+bool ExportFlow::may_write() {
+    try {
+        if (!extension_of(dialog_.chosen).empty()) check_outputs({output_}, inputs_());
+        return true;
+    } catch (const std::exception&) {
+        problem_ = problem_line();
+        step_ = Step::problem;
+        return false;
+    }
+}
+
 void ExportFlow::begin(const Document& document, PreviewPane& preview, const Scene& scene) {
-    step_ = Step::work;
+    try {
+        start_work(document, preview, scene);
+        step_ = Step::work;
+    } catch (const std::exception&) {
+        problem_ = problem_line();
+        step_ = Step::problem;
+    }
+}
+
+void ExportFlow::start_work(const Document& document, PreviewPane& preview, const Scene& scene) {
     settings_->export_folder = output_.parent_path();
     const std::string done = "Exported " + output_.filename().string();
     if (is_picture(dialog_.chosen)) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/designer/background_task.h"
@@ -22,9 +23,12 @@ class ExportFlow {
     ExportFlow();
 
     void start() { step_ = Step::options; }
-    void remember(Settings* settings, const std::optional<DialogProgram>& dialogs) {
+    // `inputs`: what is never written, see output_guard.h.
+    void remember(Settings* settings, const std::optional<DialogProgram>& dialogs,
+                  std::function<std::vector<std::filesystem::path>()> inputs) {
         settings_ = settings;
         dialogs_ = dialogs;
+        inputs_ = std::move(inputs);
     }
 
     // Draws what is open and acts on the answers. Returns what is to be told.
@@ -42,11 +46,14 @@ class ExportFlow {
     void ask_file(const Document& document);
     void draw_file(const Document& document, PreviewPane& preview, const Scene& scene);
     void draw_question(const Document& document, PreviewPane& preview, const Scene& scene);
+    bool may_write();
     void begin(const Document& document, PreviewPane& preview, const Scene& scene);
+    void start_work(const Document& document, PreviewPane& preview, const Scene& scene);
     std::optional<std::string> draw_work();
 
     Settings* settings_ = nullptr;
     std::optional<DialogProgram> dialogs_;
+    std::function<std::vector<std::filesystem::path>()> inputs_;
     Step step_ = Step::none;
     ui::ExportDialog dialog_;
     FileChooser chooser_;

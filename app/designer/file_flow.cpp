@@ -1,11 +1,15 @@
 #include "app/designer/file_flow.h"
 
+#include <algorithm>
+#include <exception>
 #include <system_error>
 #include <utility>
 
+#include "app/designer/change_question.h"
 #include "app/designer/folder.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
+#include "core/exchange/output_guard.h"
 
 namespace nacre {
 namespace {
@@ -16,12 +20,14 @@ std::string design_name(const Document& document) {
     return document.design.name.empty() ? "Untitled" : document.design.name;
 }
 
-// Whether the file holds this very design.
-bool is_on_disk(const Design& design, const fs::path& file) {
+// The document whose file holds this very work, if it does.
+std::optional<Document> saved_already(const UnsavedWork& work) {
     try {
-        return !file.empty() && load_work(file) == design;
-    } catch (const UserError&) {
-        return false;
+        Document saved;
+        if (!work.file.empty()) saved = read_document(work.file);
+        return saved.file == work.file && saved.design == work.design ? std::optional(saved) : std::nullopt;
+    } catch (const std::exception&) {
+        return {};
     }
 }
 
@@ -33,7 +39,9 @@ void FileFlow::start_open(Document& document) { lose_work_for(Next::show_open, d
 
 void FileFlow::open_file(Document& document, const fs::path& file) {
     if (talking()) return;
-    to_open_ = fs::absolute(file).lexically_normal();
+    std::error_code error;
+    to_open_ = fs::absolute(file, error).lexically_normal();
+    if (error) to_open_ = file;
     lose_work_for(Next::open, document);
 }
 
@@ -51,8 +59,10 @@ void FileFlow::restore(Document& document, LostAndFound found) {
 void FileFlow::quit(Document& document) { lose_work_for(Next::quit, document); }
 
 void FileFlow::save(Document& document) {
-    if (document.file.empty())
-        save_as(document);
+    if (document.file.empty()) return save_as(document);
+    const auto now = content_of_file(document.file);
+    if (now != content_in(document.held, document.file))
+        changed_ = Changed{.now = now, .saving = true};
     else
         write(document, document.file);
 }
@@ -121,12 +131,16 @@ void FileFlow::go_on(Document& document) {
 // A preset opens as a new design: saving it must not change what comes with the program.
 void FileFlow::load(Document& document, bool as_preset) {
     try {
-        document = Document(load_work(to_open_), as_preset ? fs::path() : to_open_);
-        if (as_preset) document.preset = to_open_;
+        Document opened = read_document(to_open_);
+        if (as_preset) {
+            opened.held.erase(to_open_);
+            opened.preset = std::exchange(opened.file, fs::path());
+        }
+        document = std::move(opened);
         message_ = "Opened " + to_open_.filename().string();
         if (!as_preset) note(to_open_);
-    } catch (const UserError& error) {
-        problem_ = error.what();
+    } catch (const std::exception&) {
+        problem_ = problem_line();
         std::error_code gone;
         if (memory_.recent != nullptr && !fs::exists(to_open_, gone)) memory_.recent->forget(to_open_);
     }
@@ -134,25 +148,63 @@ void FileFlow::load(Document& document, bool as_preset) {
 
 void FileFlow::become_restored(Document& document) {
     const UnsavedWork& work = to_restore_->work;
-    document = Document(work.design, work.file);
-    if (!is_on_disk(work.design, work.file)) document.mark_unsaved();
+    if (auto saved = saved_already(work)) {
+        document = *std::move(saved);
+    } else {
+        document = Document(work.design, work.file);
+        document.held = work.held;
+        document.mark_unsaved();
+    }
     message_ = "Restored " + design_name(document);
     restored_ = std::exchange(to_restore_, std::nullopt);
 }
 
+// Says why not.
+bool FileFlow::may_write(const fs::path& file) {
+    try {
+        if (memory_.inputs) check_outputs({file}, memory_.inputs());
+        return true;
+    } catch (const std::exception&) {
+        problem_ = problem_line();
+        next_ = Next::nothing;
+        return false;
+    }
+}
+
 void FileFlow::write(Document& document, const fs::path& file) {
+    if (!may_write(file)) return;
     try {
         document.commit();
-        save_design(document.design, file);
+        const FileContent content = save_design(document.design, file);
+        document.held.erase(document.file);
+        document.held[file] = content;
         document.file = file;
         document.history.mark_saved();
         message_ = "Saved " + file.filename().string();
         note(file);
         go_on(document);
-    } catch (const UserError& error) {
-        problem_ = error.what();
+    } catch (const std::exception&) {
+        problem_ = problem_line();
         next_ = Next::nothing;
     }
+}
+
+void FileFlow::reload(Document& document) {
+    try {
+        document.reload(read_document(document.file));
+        message_ = "Reloaded " + document.file.filename().string();
+    } catch (const std::exception&) {
+        problem_ = problem_line();
+    }
+}
+
+// What the file holds now is known, and is not asked about again until it changes once more.
+void FileFlow::keep_mine(Document& document) {
+    if (changed_->now)
+        document.held[document.file] = *changed_->now;
+    else
+        document.held.erase(document.file);
+    document.mark_unsaved();
 }
 
 void FileFlow::note(const fs::path& file) {
@@ -162,7 +214,7 @@ void FileFlow::note(const fs::path& file) {
 
 void FileFlow::draw(Document& document) {
     draw_questions(document);
-    if (chooser_.open() && !overwrite_ && problem_.empty()) draw_dialog(document);
+    if (chooser_.open() && !overwrite_ && !changed_ && problem_.empty()) draw_dialog(document);
     if (!talking() && next_ == Next::nothing) to_restore_.reset();
 }
 
@@ -180,9 +232,11 @@ void FileFlow::draw_dialog(Document& document) {
         return;
     }
     std::error_code error;
-    if (chosen != document.file && fs::exists(chosen, error))
+    if (chosen == document.file)
+        save(document);
+    else if (may_write(chosen) && fs::exists(chosen, error))
         overwrite_ = chosen;
-    else
+    else if (problem_.empty())
         write(document, chosen);
 }
 
@@ -196,9 +250,28 @@ void FileFlow::draw_unsaved_question(Document& document) {
     if (*answer == 2) next_ = Next::nothing;
 }
 
+void FileFlow::draw_changed_question(Document& document) {
+    const auto answer = ask_about_change(document.file, !changed_->now, changed_->saving);
+    if (!answer) return;
+    const Changed asked = *changed_;
+    // Whoever changed it may have done so again.
+    if (*answer == ChangeAnswer::overwrite && content_of_file(document.file) != asked.now) {
+        changed_->now = content_of_file(document.file);
+        return;
+    }
+    if (*answer == ChangeAnswer::keep_mine) keep_mine(document);
+    changed_.reset();
+    if (*answer == ChangeAnswer::overwrite) return write(document, document.file);
+    if (*answer == ChangeAnswer::save_as) return save_as(document);
+    next_ = Next::nothing;
+    if (*answer == ChangeAnswer::reload) reload(document);
+}
+
 void FileFlow::draw_questions(Document& document) {
     if (!problem_.empty()) {
         if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+    } else if (changed_) {
+        draw_changed_question(document);
     } else if (asking_unsaved_) {
         draw_unsaved_question(document);
     } else if (overwrite_) {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/designer/autosave.h"
 #include "app/designer/document.h"
@@ -24,8 +27,11 @@ class FileFlow {
     // Work of another process: the document becomes it once what is unsaved may go, and take_restored() hands
     // it out.
     void restore(Document& document, LostAndFound found);
+    // Asks first where the file holds something else than the document knows of.
     void save(Document& document);
     void save_as(const Document& document);
+    // The document's file was seen to hold this instead; nothing where it is gone.
+    void notice(const std::optional<FileContent>& now) { changed_ = Changed{.now = now}; }
     void quit(Document& document);
 
     // What the conversation reads and remembers between runs; both outlive it.
@@ -34,6 +40,7 @@ class FileFlow {
         RecentFiles* recent;
         std::optional<DialogProgram> dialogs;  // as the settings allow
         std::filesystem::path home;
+        std::function<std::vector<std::filesystem::path>()> inputs;  // never written: see output_guard.h
     };
     void remember(Memory memory) { memory_ = std::move(memory); }
 
@@ -41,11 +48,14 @@ class FileFlow {
     void draw(Document& document);
 
     bool may_quit() const { return may_quit_; }
-    bool talking() const { return asking_unsaved_ || chooser_.open() || overwrite_ || !problem_.empty(); }
+    bool talking() const {
+        return asking_unsaved_ || chooser_.open() || overwrite_ || changed_ || !problem_.empty();
+    }
     bool has_answer() const { return chooser_.has_answer(); }
     const std::string& message() const { return message_; }  // the last thing done
     const std::string& problem() const { return problem_; }  // shown until it is read
     void tell(std::string message) { message_ = std::move(message); }
+    void report(std::string problem) { problem_ = std::move(problem); }
 
     // Where dialogs begin: beside the document, else where the last design was.
     std::filesystem::path folder(const Document& document) const;
@@ -60,10 +70,14 @@ class FileFlow {
     void go_on(Document& document);
     void load(Document& document, bool as_preset);
     void become_restored(Document& document);
+    bool may_write(const std::filesystem::path& file);
     void write(Document& document, const std::filesystem::path& file);
+    void reload(Document& document);
+    void keep_mine(Document& document);
     void note(const std::filesystem::path& file);
     void draw_dialog(Document& document);
     void draw_unsaved_question(Document& document);
+    void draw_changed_question(Document& document);
     void draw_questions(Document& document);
 
     Memory memory_{};
@@ -74,6 +88,11 @@ class FileFlow {
     FileChooser chooser_;
     bool saving_ = false;  // what the chooser was asked for
     std::optional<std::filesystem::path> overwrite_;
+    struct Changed {
+        std::optional<FileContent> now;  // of the document's file; none where it is gone
+        bool saving = false;             // else it was only noticed
+    };
+    std::optional<Changed> changed_;
     std::string problem_;
     std::string message_;
     bool may_quit_ = false;

@@ -52,8 +52,8 @@ void KeptFile::write(const std::string& text) {
         make_private_folder(file_.parent_path());
         write_file_atomically(file_, text);
         problem_.clear();
-    } catch (const UserError& error) {
-        problem_ = error.what();
+    } catch (const std::exception&) {
+        problem_ = problem_line();
     }
 }
 
@@ -72,6 +72,12 @@ std::optional<std::string> json_path(const fs::path& path) {
     } catch (const nlohmann::json::exception&) {
         return {};
     }
+}
+
+fs::path read_path(const JsonValue& json) {
+    const std::string text = json.text();
+    if (text.find('\0') != text.npos) json.fail("must be a path, which has no NUL");
+    return text;
 }
 
 }  // namespace nacre

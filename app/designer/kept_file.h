@@ -42,4 +42,8 @@ void make_private_folder(const std::filesystem::path& folder);
 // As JSON; what is not UTF-8 cannot stand there and is no value.
 std::optional<std::string> json_path(const std::filesystem::path& path);
 
+// A path that stands in JSON, or none where the text is empty. One that the system would read only the
+// beginning of, up to a NUL, is a UserError.
+std::filesystem::path read_path(const JsonValue& json);
+
 }  // namespace nacre

@@ -26,6 +26,10 @@ class ObjectChooser {
     bool in_motion() const { return shelf_.busy() || chooser_.has_answer(); }
     void wait() const { shelf_.wait(); }
 
+    // As of ObjectShelf.
+    HeldFiles& held() { return shelf_.held(); }
+    const HeldFiles& held() const { return shelf_.held(); }
+
   private:
     void buttons(const std::string& file_label, bool own, const std::optional<DialogProgram>& dialogs);
     void list(const std::string& file_label, bool own, const std::optional<DialogProgram>& dialogs);

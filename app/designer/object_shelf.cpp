@@ -1,7 +1,11 @@
 #include "app/designer/object_shelf.h"
 
 #include <algorithm>
-#include <exception>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "core/design/error.h"
 
 namespace nacre {
 namespace {
@@ -11,22 +15,17 @@ bool is_file(const std::string& name) {
     return std::find(names.begin(), names.end(), name) == names.end();
 }
 
-std::string what(const std::exception_ptr& error) {
-    try {
-        std::rethrow_exception(error);
-    } catch (const std::exception& refused) {
-        return refused.what();
-    }
-}
-
 }  // namespace
 
 ObjectShelf::ObjectShelf()
     : job_([this](const std::string& name, const std::stop_token&, const auto& publish) {
-          if (is_file(name)) return publish(make_object(name));
+          if (is_file(name)) {
+              HeldFiles held = held_now(std::array<std::filesystem::path, 1>{name});
+              return publish({make_object(name), std::move(held)});
+          }
           auto found = made_.find(name);
           if (found == made_.end()) found = made_.emplace(name, make_object(name)).first;
-          publish(found->second);
+          publish({found->second, {}});
       }) {}
 
 void ObjectShelf::want(const std::string& name) {
@@ -36,14 +35,15 @@ void ObjectShelf::want(const std::string& name) {
 }
 
 std::optional<SceneObject> ObjectShelf::poll() {
-    const auto published = job_.poll();
+    auto published = job_.poll();
     if (!published) return {};
     waiting_ = job_.busy();
     if (published->error) {
-        problem_ = what(published->error);
+        problem_ = problem_line(published->error);
         return {};
     }
-    return published->result;
+    held_ = std::move(published->result->held);
+    return std::move(published->result->object);
 }
 
 }  // namespace nacre

@@ -7,6 +7,7 @@
 
 #include "app/preview/object.h"
 #include "core/bake/latest_job.h"
+#include "core/exchange/file_content.h"
 
 namespace nacre {
 
@@ -24,15 +25,25 @@ class ObjectShelf {
     void forget_problem() { problem_.clear(); }
 
     const std::string& wanted() const { return wanted_; }
+
+    // What the file of the newest object held when it was read; empty where it came from none.
+    HeldFiles& held() { return held_; }
+    const HeldFiles& held() const { return held_; }
     bool busy() const { return waiting_; }
     void wait() const { job_.wait(); }
 
   private:
+    struct Made {
+        SceneObject object;
+        HeldFiles held;
+    };
+
     std::map<std::string, SceneObject> made_;  // without files, which may change; only the worker reads it
     std::string wanted_ = SceneObject().name;
     std::string problem_;
+    HeldFiles held_;
     bool waiting_ = false;  // for an answer that has not been polled
-    LatestJob<std::string, SceneObject> job_;
+    LatestJob<std::string, Made> job_;
 };
 
 }  // namespace nacre

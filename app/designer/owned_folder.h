@@ -1,17 +1,19 @@
-// A folder that belongs to one process for as long as it lives, however it ends.
+// A folder that belongs to one process for as long as it lives, however it ends. Beside it may lie whatever
+// the user put there: what this program did not write itself is neither followed nor removed.
 #pragma once
 
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace nacre {
 
+inline constexpr const char* autosave_name = "unsaved.nacre";  // the one file that it keeps
+
 // Holds a lock (flock) on a file in the folder, which the system frees when the process is gone.
 class OwnedFolder {
   public:
-    // The folder's owner from now on, unless somebody else is it.
+    // The folder's owner from now on, unless somebody else is it or its lock is none of ours.
     static std::optional<OwnedFolder> own(const std::filesystem::path& folder);
 
     OwnedFolder(OwnedFolder&& other) noexcept;
@@ -19,27 +21,33 @@ class OwnedFolder {
     ~OwnedFolder();  // gives it up and leaves what it holds
 
     const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path file() const { return path_ / autosave_name; }
 
-    // A file of the same name in the other folder becomes one of this, in place of what was there. What fails
-    // is a UserError.
-    void take(const std::string& name, const OwnedFolder& from);
-    void remove(const std::string& name);
+    // Whether the path still leads to this folder and its lock, and the kept file is one or is not there:
+    // what is written then changes nothing else.
+    bool intact() const;
 
-    // The folder goes, with all that it holds.
+    // The kept file of the other folder becomes this one's. What fails is a UserError.
+    void take(const OwnedFolder& from);
+    void remove_file();
+
+    // The kept file and the lock go, and the folder unless it holds anything else.
     void erase();
 
   private:
-    OwnedFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
+    OwnedFolder(std::filesystem::path path, int folder, int lock)
+        : path_(std::move(path)), folder_(folder), lock_(lock) {}
 
     std::filesystem::path path_;
-    int lock_;  // descriptor
+    int folder_, lock_;  // descriptors
 };
 
 // A new folder below `parent`, which is made when it is not there, named by the process and a random number.
 // What fails is a UserError.
 OwnedFolder make_owned_folder(const std::filesystem::path& parent);
 
-// The folders below `parent` whose owners are gone: this process is their owner now.
+// The folders of that form below `parent` whose owners are gone and that hold a kept file, or nothing but
+// what an owner leaves: this process is their owner now.
 std::vector<OwnedFolder> own_orphans(const std::filesystem::path& parent);
 
 }  // namespace nacre

@@ -1,6 +1,7 @@
 #include "app/designer/picture_drop.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "core/design/error.h"
@@ -86,8 +87,8 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
         } else if (answer == surround) {
             surroundings_ = file;
         }
-    } catch (const UserError& error) {
-        problem_ = error.what();
+    } catch (const std::exception&) {
+        problem_ = problem_line();
     }
 }
 

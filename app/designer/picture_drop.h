@@ -32,6 +32,7 @@ class PictureDrop {
     }
 
     bool talking() const { return file_ || !problem_.empty(); }
+    const std::string& problem() const { return problem_; }  // shown until it is read
 
   private:
     void use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas);

@@ -1,8 +1,10 @@
 #include "app/designer/picture_taker.h"
 
+#include <exception>
 #include <system_error>
 #include <utility>
 
+#include "core/design/error.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/image_file.h"
 
@@ -27,14 +29,18 @@ void PictureTaker::begin(const Document& document, PreviewPane& preview, const S
         problem_ = "There is no picture yet.";
         return;
     }
-    task_.start([image = preview.picture(scene, preview.size(), false), folder = settings_->picture_folder,
-                 stem = document.stem()](const auto&, const auto&) {
-        fs::create_directories(folder);
-        const fs::path file = write_numbered_file(folder, stem, ".png", [&](const fs::path& temporary) {
-            write_image(temporary, image.size, image.rgb);
+    try {
+        task_.start([image = preview.picture(scene, preview.size(), false),
+                     folder = settings_->picture_folder, stem = document.stem()](const auto&, const auto&) {
+            fs::create_directories(folder);
+            const fs::path file = write_numbered_file(folder, stem, ".png", [&](const fs::path& temporary) {
+                write_image(temporary, image.size, image.rgb);
+            });
+            return "Picture " + file.string();
         });
-        return "Picture " + file.string();
-    });
+    } catch (const std::exception&) {
+        problem_ = problem_line();
+    }
 }
 
 std::optional<std::string> PictureTaker::draw(const Document& document, PreviewPane& preview,

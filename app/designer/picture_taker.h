@@ -27,6 +27,7 @@ class PictureTaker {
     std::optional<std::string> draw(const Document& document, PreviewPane& preview, const Scene& scene);
 
     bool talking() const { return asking_ || chooser_.open() || !problem_.empty(); }
+    const std::string& problem() const { return problem_; }  // shown until it is read
     bool in_motion() const { return wanted_ || task_.busy() || chooser_.has_answer(); }
 
   private:

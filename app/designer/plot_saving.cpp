@@ -1,9 +1,11 @@
 #include "app/designer/plot_saving.h"
 
+#include <exception>
 #include <system_error>
 #include <utility>
 
 #include "core/design/error.h"
+#include "core/exchange/output_guard.h"
 #include "core/exchange/plot_files.h"
 
 namespace nacre {
@@ -35,11 +37,12 @@ std::optional<std::string> PlotSaving::draw() {
 
 std::optional<std::string> PlotSaving::write(const fs::path& file) {
     try {
+        check_outputs({file}, inputs_());
         write_plot(file, plot_, view_);
         folder_ = file.parent_path();
         return "Saved " + file.filename().string();
-    } catch (const UserError& error) {
-        problem_ = error.what();
+    } catch (const std::exception&) {
+        problem_ = problem_line();
         return {};
     }
 }

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/designer/file_chooser.h"
 #include "core/plot/draw_plot.h"
@@ -16,6 +19,8 @@ class PlotSaving {
     void ask(Plot plot, const ShapeView& view, const std::string& name,
              const std::optional<DialogProgram>& dialogs);
 
+    void remember(std::function<std::vector<std::filesystem::path>()> inputs) { inputs_ = std::move(inputs); }
+
     // Draws what is open. Returns what was done, once.
     std::optional<std::string> draw();
 
@@ -27,6 +32,7 @@ class PlotSaving {
     std::optional<std::string> write(const std::filesystem::path& file);
     std::optional<std::string> draw_questions();
 
+    std::function<std::vector<std::filesystem::path>()> inputs_;  // never written: see output_guard.h
     Plot plot_;
     ShapeView view_;
     FileChooser chooser_;

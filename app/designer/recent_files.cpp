@@ -16,7 +16,7 @@ std::vector<fs::path> read_files(ObjectReader& object) {
     std::vector<fs::path> files;
     for (const JsonValue& file :
          object.required("files", "the files' paths").elements("must be a list of paths"))
-        files.emplace_back(file.text());
+        files.push_back(read_path(file));
     object.finish("the list of recent files");
     return files;
 }

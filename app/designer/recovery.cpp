@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <ctime>
+#include <exception>
 #include <utility>
 
 #include "core/design/error.h"
@@ -29,9 +30,9 @@ std::string local_time(std::time_t seconds) {
 
 // Nothing where the folder holds no work; it is removed then.
 std::optional<Found> work_in(OwnedFolder folder) {
-    const fs::path file = folder.path() / autosave_name;
+    const fs::path file = folder.file();
     struct stat status {};
-    if (::stat(file.c_str(), &status) != 0) {
+    if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
         folder.erase();
         return {};
     }
@@ -41,8 +42,8 @@ std::optional<Found> work_in(OwnedFolder folder) {
         const AutosaveHead head = read_autosave_head(file);
         found.work.name = head.name;
         found.work.file = head.file;
-    } catch (const UserError& error) {
-        found.work.problem = error.what();
+    } catch (const std::exception&) {
+        found.work.problem = problem_line();
     }
     return found;
 }
@@ -84,13 +85,12 @@ std::optional<LostAndFound> Recovery::draw() {
         return {};
     }
     try {
-        LostAndFound restored{read_autosave(chosen->folder.path() / autosave_name),
-                              std::move(chosen->folder)};
+        LostAndFound restored{read_autosave(chosen->folder.file()), std::move(chosen->folder)};
         lost_.clear();
         problem_.clear();
         return restored;
-    } catch (const UserError& error) {
-        problem_ = error.what();
+    } catch (const std::exception&) {
+        problem_ = problem_line();
         return {};
     }
 }

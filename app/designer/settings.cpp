@@ -10,10 +10,8 @@ namespace fs = std::filesystem;
 constexpr int version = 1;
 constexpr double drawer_largest = 1000;  // text sizes: more than any screen has
 
-void read_path(ObjectReader& object, std::string_view key, fs::path& path) {
-    std::string text;
-    object.text(key, text);
-    path = text;
+void read_folder(ObjectReader& object, std::string_view key, fs::path& folder) {
+    if (object.has(key)) folder = read_path(object.at(key));
 }
 
 void read_border(ObjectReader& object, std::string_view key, Range range, float& border) {
@@ -29,9 +27,9 @@ Settings read_settings(ObjectReader& object) {
     read_border(object, "canvas", {canvas_least, canvas_most}, settings.layout.canvas);
     read_border(object, "drawer", {drawer_least, drawer_largest}, settings.layout.drawer);
     object.flag("system_dialogs", settings.system_dialogs);
-    read_path(object, "design_folder", settings.design_folder);
-    read_path(object, "picture_folder", settings.picture_folder);
-    read_path(object, "export_folder", settings.export_folder);
+    read_folder(object, "design_folder", settings.design_folder);
+    read_folder(object, "picture_folder", settings.picture_folder);
+    read_folder(object, "export_folder", settings.export_folder);
     object.finish("the settings");
     return settings;
 }

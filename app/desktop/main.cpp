@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <string>
 
 #include "app/designer/designer.h"
@@ -17,7 +16,6 @@
 #include "app/desktop/pace.h"
 #include "app/desktop/start_report.h"
 #include "app/desktop/window.h"
-#include "core/design/design_file.h"
 
 namespace {
 
@@ -32,10 +30,6 @@ void run(const Arguments& arguments) {
         if (arguments.time_start) nacre::report_stage(stage);
     };
     reached("main");
-    nacre::Document document;
-    if (!arguments.design.empty())
-        document =
-            nacre::Document(nacre::load_work(arguments.design), std::filesystem::absolute(arguments.design));
     nacre::Window window({1280, 800}, "Nacre");
     reached("window");
     const auto ui_scale = [&] {
@@ -49,14 +43,15 @@ void run(const Arguments& arguments) {
         nacre::Designer designer({.folders = nacre::user_folders(variable),
                                   .dialogs = nacre::find_dialog_program(variable),
                                   .wake = nacre::Window::wake});
-        designer.document = std::move(document);
-        if (!designer.document.file.empty()) designer.recent.note(designer.document.file);
+        // One that cannot be read is told in the window, which a desktop shows, unlike standard error.
+        if (!arguments.design.empty()) nacre::open_at_start(designer, arguments.design);
         nacre::Pace pace;
         reached("designer");
         while (!designer.files.may_quit()) {
             const bool moves = nacre::in_motion(designer) || ImGui::IsAnyMouseDown();
             const bool noticed = window.wait(pace.wait(glfwGetTime(), moves));
             const bool due = pace.due(glfwGetTime(), noticed, ImGui::GetIO().WantTextInput);
+            if (window.take_focus()) nacre::notice_focus(designer);
             if (window.take_close_request()) nacre::perform(designer, nacre::ui::Command::quit);
             if (!due) continue;
             session.set_scale(ui_scale(), window.pixels_a_unit());

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <utility>
 
 #include "core/design/error.h"
 
@@ -126,6 +127,11 @@ bool Window::take_close_request() {
     if (glfwWindowShouldClose(window_) == GLFW_FALSE) return false;
     glfwSetWindowShouldClose(window_, GLFW_FALSE);
     return true;
+}
+
+bool Window::take_focus() {
+    const bool before = std::exchange(focused_, glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE);
+    return focused_ && !before;
 }
 
 void Window::swap() { glfwSwapBuffers(window_); }

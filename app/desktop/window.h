@@ -29,6 +29,8 @@ class Window {
     void set_full_screen(bool wanted);
     // The close button since the last call.
     bool take_close_request();
+    // Whether it has got the focus since the last call.
+    bool take_focus();
     void swap();
 
     // Waits for events. Returns whether one came since the last wait that may change what is shown: told by
@@ -43,6 +45,7 @@ class Window {
     GLFWwindow* window_ = nullptr;
     std::string title_;
     bool full_screen_ = false;
+    bool focused_ = true;
     glm::ivec2 place_{0}, size_{0};  // before full screen
 };
 

@@ -148,9 +148,13 @@ Event parse_line(Line& line) {
         event.what = events::Wait{};
     } else if (verb == "drop") {
         event.what = events::Drop{line.quoted()};
+    } else if (verb == "focus") {
+        event.what = events::Focus{};
     } else {
-        line.fail("is no event: move, down, up, click, drag, wheel, key, text, frames, wait and drop are",
-                  verb);
+        line.fail(
+            "is no event: move, down, up, click, drag, wheel, key, text, frames, wait, drop and "
+            "focus are",
+            verb);
     }
     return event;
 }

@@ -3,7 +3,8 @@
 //   move PLACE                       down left|right|middle      up left|right|middle
 //   click PLACE [left|right|middle]  drag PLACE PLACE [FRAMES]   wheel DY
 //   key Ctrl+S                       text "..."                  frames N
-//   wait                             drop "FILE"                 # comment
+//   wait                             drop "FILE"                 focus
+//   # comment
 //
 // PLACE is `X Y` in pixels from the window's left top, or a widget by its name: "Weight" is its middle,
 // "Weight":0.2 a fifth of the way from its left, "Weight":0.2,0.9 also from its top. "Canvas":@30,45 is where
@@ -61,11 +62,12 @@ struct Wait {};
 struct Drop {
     std::string file;
 };
+struct Focus {};
 }  // namespace events
 
 struct Event {
     std::variant<events::Move, events::Button, events::Click, events::Drag, events::Wheel, events::Key,
-                 events::Text, events::Frames, events::Wait, events::Drop>
+                 events::Text, events::Frames, events::Wait, events::Drop, events::Focus>
         what;
     int line = 0;
 };

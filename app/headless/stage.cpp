@@ -115,6 +115,11 @@ void Stage::play(const Event& event, const std::string& file) {
         take_file(*designer_, drop->file);
         frame(false);
         frame(false);
+    } else if (std::holds_alternative<events::Focus>(event.what)) {
+        notice_focus(*designer_);
+        designer_->watch.wait();
+        frame(false);
+        frame(false);
     } else {
         wait_for_bake();
     }

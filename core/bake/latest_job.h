@@ -49,8 +49,10 @@ class LatestJob {
     // Replaces a waiting request. Stops the running one only once it has published something: while
     // a slider is dragged requests come faster than results, and none would ever arrive otherwise.
     std::uint64_t submit(Request request) {
+        std::stop_source stop;  // here, where it may throw: the worker allocates nothing outside its work
         const std::lock_guard lock(mutex_);
         waiting_ = std::move(request);
+        waiting_stop_ = std::move(stop);
         ++submitted_;
         if (running_has_published_) running_stop_.request_stop();
         changed_.notify_all();
@@ -87,7 +89,7 @@ class LatestJob {
             waiting_.reset();
             running_ = true;
             running_has_published_ = false;
-            running_stop_ = std::stop_source();
+            running_stop_ = std::move(waiting_stop_);
             const std::uint64_t revision = submitted_;
             const std::stop_token stop = running_stop_.get_token();
             lock.unlock();
@@ -138,7 +140,7 @@ class LatestJob {
     std::uint64_t submitted_ = 0;
     bool running_ = false;
     bool running_has_published_ = false;
-    std::stop_source running_stop_;
+    std::stop_source waiting_stop_{std::nostopstate}, running_stop_{std::nostopstate};
     std::jthread thread_;  // last: it starts when all of the above exists, and joins first
 };
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/design/design.h"
+#include "core/exchange/file_content.h"
 
 namespace nacre {
 
@@ -28,7 +29,7 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
 // that the chosen models do not have (the correlation width of `uncorrelated`) are not in it.
 std::string design_json(const Design& design, const std::filesystem::path& base_dir);
 
-// The file appears whole or not at all.
-void save_design(const Design& design, const std::filesystem::path& file);
+// The file appears whole or not at all. Returns what it holds.
+FileContent save_design(const Design& design, const std::filesystem::path& file);
 
 }  // namespace nacre

@@ -184,7 +184,7 @@ std::string design_json(const Design& design, const fs::path& base_dir) {
     return design_text(design, {absolute_folder(base_dir), "design"});
 }
 
-void save_design(const Design& design, const fs::path& file) {
+FileContent save_design(const Design& design, const fs::path& file) {
     const std::string text = design_text(design, {absolute_folder(file.parent_path()), file.string()});
     if (text.size() > limits::file_bytes_max)
         throw UserError(
@@ -192,6 +192,7 @@ void save_design(const Design& design, const fs::path& file) {
             fmt::format("the design needs more than the {} bytes a file may have", limits::file_bytes_max),
             fmt::format("{} bytes", text.size()));
     write_file_atomically(file, text);
+    return content_of(text);
 }
 
 }  // namespace nacre

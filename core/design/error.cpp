@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstdint>
+#include <new>
 #include <utility>
 
 namespace nacre {
@@ -69,8 +70,20 @@ std::string plain_words(const std::exception_ptr& error) {
     } catch (const UserError& refused) {
         const std::string where = refused.where.empty() ? "" : refused.where + ": ";
         return where + refused.problem + (refused.found.empty() ? "" : " (" + refused.found + ")");
+    } catch (...) {
+        return problem_line();
+    }
+}
+
+std::string problem_line(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        return "there is not enough memory for this";
     } catch (const std::exception& other) {
-        return other.what();
+        return one_line(other.what());
+    } catch (...) {
+        return "an unknown error";
     }
 }
 

@@ -23,6 +23,9 @@ struct UserError : std::runtime_error {
 // anything else.
 std::string plain_words(const std::exception_ptr& error);
 
+// What was thrown, in one line that names the file: what() of all but what the language itself throws.
+std::string problem_line(const std::exception_ptr& error = std::current_exception());
+
 // The text on one line of printable UTF-8: control characters and bytes that are not UTF-8 become
 // escapes, and what is longer than `length_max` characters ends in "...".
 std::string one_line(std::string_view text, std::size_t length_max = std::string_view::npos);

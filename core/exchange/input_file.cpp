@@ -6,14 +6,13 @@
 #include <fstream>
 #include <system_error>
 
-#include "core/design/design.h"
 #include "core/design/error.h"
 
 namespace nacre {
 
 namespace fs = std::filesystem;
 
-std::string input_file_problem(const fs::path& file) {
+std::string input_file_problem(const fs::path& file, std::uintmax_t bytes_max) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (error) return error.message();
@@ -21,15 +20,14 @@ std::string input_file_problem(const fs::path& file) {
     if (!fs::is_regular_file(status)) return "not a regular file";
     const std::uintmax_t size = fs::file_size(file, error);
     if (error) return error.message();
-    if (size > limits::file_bytes_max)
-        return fmt::format("{} bytes, more than the {} that are read", size, limits::file_bytes_max);
+    if (size > bytes_max) return fmt::format("{} bytes, more than the {} that are read", size, bytes_max);
     errno = 0;
     if (!std::ifstream(file)) return std::generic_category().message(errno);
     return {};
 }
 
-std::string read_text_file(const fs::path& file) {
-    if (const std::string problem = input_file_problem(file); !problem.empty())
+std::string read_text_file(const fs::path& file, std::uintmax_t bytes_max) {
+    if (const std::string problem = input_file_problem(file, bytes_max); !problem.empty())
         throw UserError(file.string(), "open", "the file cannot be read", problem);
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);
@@ -43,8 +41,8 @@ std::string read_text_file(const fs::path& file) {
     return text;
 }
 
-std::string read_first_line(const fs::path& file) {
-    if (const std::string problem = input_file_problem(file); !problem.empty())
+std::string read_first_line(const fs::path& file, std::uintmax_t bytes_max) {
+    if (const std::string problem = input_file_problem(file, bytes_max); !problem.empty())
         throw UserError(file.string(), "open", "the file cannot be read", problem);
     std::ifstream stream(file, std::ios::binary);
     std::string line;

@@ -6,16 +6,21 @@
 #include <filesystem>
 #include <string>
 
+#include "core/design/design.h"
+
 namespace nacre {
 
 // Why `file` cannot be read, or an empty text.
-std::string input_file_problem(const std::filesystem::path& file);
+std::string input_file_problem(const std::filesystem::path& file,
+                               std::uintmax_t bytes_max = limits::file_bytes_max);
 
 // The whole file. What is wrong is a UserError about `file`, at `open` or `read`.
-std::string read_text_file(const std::filesystem::path& file);
+std::string read_text_file(const std::filesystem::path& file,
+                           std::uintmax_t bytes_max = limits::file_bytes_max);
 
 // Without its end; the same errors. A file with no line's end is its first line.
-std::string read_first_line(const std::filesystem::path& file);
+std::string read_first_line(const std::filesystem::path& file,
+                            std::uintmax_t bytes_max = limits::file_bytes_max);
 
 // The folder with symbolic links resolved, the current one when empty: `..` in a path relative to it
 // then means what it means to the system.

@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <fstream>
 #include <map>
+#include <set>
 
 #include "app/designer/recovery.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
+#include "core/exchange/input_file.h"
 #include "core/paint/painted_layer.h"
 #include "tests/core/file_size_limit.h"
 #include "tests/core/temporary_folder.h"
@@ -57,6 +60,7 @@ void check_refused_save(const fs::path& file, const std::string& reason) {
     Rig r;
     r.document() = painted_document();
     r.document().file = file;
+    r.document().held = held_now(std::vector<fs::path>{file});
     const Design before = r.document().design;
     const std::string on_disk = read_all(file);
     r.play("key Ctrl+S\nframes 5");
@@ -144,7 +148,7 @@ TEST_CASE("recent files: newest first, none twice, and two windows add to one li
 
 TEST_CASE("autosave: what is written is read again, wherever its pictures lie") {
     const TemporaryFolder folder;
-    UnsavedWork work{painted_document().design, "/some/where/\u00e4.nacre"};
+    UnsavedWork work{painted_document().design, "/some/where/\u00e4.nacre", {}};
     work.design.name = "Line\nbreak";
     write_autosave(work, folder / "unsaved.nacre");
     CHECK(read_autosave(folder / "unsaved.nacre") == work);
@@ -187,17 +191,18 @@ TEST_CASE("autosave: follows each step, goes when all is saved, and stays where 
 TEST_CASE("recovery: discarded work is gone, later keeps it, damaged work is told") {
     const TemporaryFolder folder;
     const fs::path unsaved = folder / "state/nacre/unsaved";
-    fs::create_directories(unsaved / "1-a");
-    write_autosave({starter_design(), {}}, unsaved / "1-a" / autosave_name);
-    fs::create_directories(unsaved / "2-b");
-    write_all(unsaved / "2-b" / autosave_name, "{\"nacre_autosave\": 1}\n{\"nacre\"");
-    fs::last_write_time(unsaved / "1-a" / autosave_name,
-                        fs::last_write_time(unsaved / "2-b" / autosave_name) - std::chrono::minutes(1));
-    fs::create_directories(unsaved / "3-c");  // nothing was kept
+    fs::create_directories(unsaved / "1-0000000a");
+    write_autosave({starter_design(), {}, {}}, unsaved / "1-0000000a" / autosave_name);
+    fs::create_directories(unsaved / "2-0000000b");
+    write_all(unsaved / "2-0000000b" / autosave_name, "{\"nacre_autosave\": 1}\n{\"nacre\"");
+    fs::last_write_time(
+        unsaved / "1-0000000a" / autosave_name,
+        fs::last_write_time(unsaved / "2-0000000b" / autosave_name) - std::chrono::minutes(1));
+    fs::create_directories(unsaved / "3-0000000c");  // nothing was kept
     {
         Rig r({.bake_threads = 1, .folders = below(folder)});
         CHECK(r.designer().recovery.count() == 2);
-        CHECK(!fs::exists(unsaved / "3-c"));
+        CHECK(!fs::exists(unsaved / "3-0000000c"));
         r.play("frames 3\nkey Escape\nframes 3");
         CHECK(!r.designer().recovery.talking());
     }
@@ -211,18 +216,196 @@ TEST_CASE("recovery: discarded work is gone, later keeps it, damaged work is tol
     CHECK(!r.designer().recovery.talking());
 }
 
+TEST_CASE(
+    "autosave: restored without the pictures that the design refers to, and knows what its files held") {
+    const TemporaryFolder folder;
+    UnsavedWork work{painted_document().design, folder / "mine.nacre", {}};
+    Layer& painted = work.design.distribution.layers.back();
+    Layer modulated;
+    modulated.modulation = Modulation{std::get<PaintedLobe>(painted.lobe).image, 0.5};
+    modulated.modulation->image.file = folder / "gone.png";
+    std::get<PaintedLobe>(painted.lobe).image.file = "/nowhere/\u00e4 \"odd\".png";
+    work.design.distribution.layers.push_back(modulated);
+    work.held = {{work.file, content_of("one")}, {folder / "gone.png", content_of("two")}};
+    write_autosave(work, folder / autosave_name);
+    CHECK(read_autosave(folder / autosave_name) == work);
+}
+
+TEST_CASE("autosave: one that is larger than a design file may be is restored") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / autosave_name;
+    const UnsavedWork work{painted_document().design, "/mine.nacre", {}};
+    write_autosave(work, file);
+    // White space, which JSON allows, in place of texels, which would take the test long.
+    std::ofstream(file, std::ios::app) << std::string(limits::file_bytes_max, '\n');
+    REQUIRE(!input_file_problem(file).empty());
+    CHECK(read_autosave(file) == work);
+    CHECK(read_autosave_head(file).file == work.file);
+}
+
+TEST_CASE("recovery: whatever this program did not write into the folder is left as it is") {
+    const TemporaryFolder folder;
+    const fs::path unsaved = folder / "state/nacre/unsaved";
+    const std::vector<std::string> foreign = {"letter.txt",
+                                              "somebody-elses-work/letter.txt",
+                                              "12-0000000g/lock",
+                                              "1234/lock",
+                                              "x-00000000/unsaved.nacre",
+                                              "7-00000007/letter.txt",
+                                              "8-00000008/lock/deep.txt",
+                                              "9-00000009/lock",
+                                              "10-0000000a/unsaved.nacre/deep.txt"};
+    for (const std::string& name : foreign) {
+        fs::create_directories((unsaved / name).parent_path());
+        write_all(unsaved / name, "mine");
+    }
+    fs::create_directories(folder / "elsewhere");
+    write_autosave({starter_design(), {}, {}}, folder / "elsewhere" / autosave_name);
+    fs::create_directory_symlink(folder / "elsewhere", unsaved / "11-0000000b");
+    fs::create_directory(unsaved / "12-0000000c");
+    fs::create_symlink(folder / "elsewhere" / autosave_name, unsaved / "12-0000000c" / autosave_name);
+    const auto names = [&](const fs::path& below) {
+        std::set<std::string> all;
+        for (const auto& entry : fs::recursive_directory_iterator(below)) all.insert(entry.path().string());
+        return all;
+    };
+    const auto before = names(folder.path());
+    const std::string elsewhere = read_all(folder / "elsewhere" / autosave_name);
+    {
+        Rig r({.bake_threads = 1, .folders = below(folder)});
+        CHECK(r.designer().recovery.count() == 0);
+        finish(r.designer());
+    }
+    CHECK(names(folder.path()) == before);
+    for (const std::string& name : foreign) CHECK(read_all(unsaved / name) == "mine");
+    CHECK(read_all(folder / "elsewhere" / autosave_name) == elsewhere);
+}
+
+TEST_CASE(
+    "recovery: a folder of ours keeps what somebody put into it when its work is restored or discarded") {
+    const TemporaryFolder folder;
+    const fs::path unsaved = folder / "state/nacre/unsaved";
+    for (const char* name : {"1-0000000a", "2-0000000b"}) {
+        fs::create_directories(unsaved / name);
+        write_autosave({starter_design(), {}, {}}, unsaved / name / autosave_name);
+        write_all(unsaved / name / "letter.txt", "mine");
+        write_all(unsaved / name / ".nacre-0123456789abcdef.nacre", "cut off");
+    }
+    {
+        Rig r({.bake_threads = 1, .folders = below(folder)});
+        CHECK(r.designer().recovery.count() == 2);
+        r.play("frames 3\nclick \"Discard\"\nframes 30\nclick \"Restore\"\nframes 3");
+        r.designer().autosave.wait();
+        finish(r.designer());
+    }
+    for (const char* name : {"1-0000000a", "2-0000000b"}) {
+        CHECK(read_all(unsaved / name / "letter.txt") == "mine");
+        CHECK(std::distance(fs::directory_iterator(unsaved / name), {}) == 1);
+    }
+}
+
+TEST_CASE("autosave: never writes or removes through what has taken its file's or its folder's place") {
+    const TemporaryFolder folder;
+    const fs::path unsaved = folder / "state/nacre/unsaved";
+    write_all(folder / "letter.nacre", "mine");
+    for (const bool whole_folder : {false, true}) {
+        CAPTURE(whole_folder);
+        Rig r({.bake_threads = 1, .folders = below(folder)});
+        const auto edit = [&](const char* name) {
+            r.document().design.name = name;
+            r.play("frames 2");
+            r.designer().autosave.wait();
+            r.play("frames 1");
+        };
+        edit("one");
+        REQUIRE(r.designer().autosave.problem().empty());
+        fs::path own;
+        for (const auto& entry : fs::directory_iterator(unsaved))
+            if (read_all(entry.path() / autosave_name).find("one") != std::string::npos) own = entry.path();
+        REQUIRE(!own.empty());
+        if (whole_folder) {
+            fs::rename(own, folder / "moved");
+            fs::create_directory(folder / "elsewhere");
+            fs::copy(folder / "moved" / "lock", folder / "elsewhere" / "lock");
+            write_all(folder / "elsewhere" / autosave_name, "mine");
+            fs::create_directory_symlink(folder / "elsewhere", own);
+        } else {
+            fs::remove(own / autosave_name);
+            fs::create_symlink(folder / "letter.nacre", own / autosave_name);
+        }
+        edit("two");
+        CHECK(r.designer().autosave.problem().empty());
+        r.play("key Ctrl+Z\nframes 2");
+        r.designer().autosave.wait();
+        finish(r.designer());
+        CHECK(read_all(folder / "letter.nacre") == "mine");
+        CHECK(fs::is_symlink(whole_folder ? own : own / autosave_name));
+        if (whole_folder) CHECK(read_all(folder / "elsewhere" / autosave_name) == "mine");
+    }
+}
+
+TEST_CASE("recovery: a first line that leads astray is told, and nothing is written through it") {
+    const TemporaryFolder folder;
+    write_all(folder / "letter", "mine");
+    const fs::path file = folder / "state/nacre/unsaved/1-0000000a" / autosave_name;
+    fs::create_directories(file.parent_path());
+    const std::string letter = (folder / "letter").string();
+    for (const std::string& head :
+         {"\"file\": \"" + letter + "\\u0000.nacre\"", std::string("\"file\": \"letter\""),
+          std::string("\"file\": 7"), "\"file\": \"" + letter + "\", \"held\": \"4-\"",
+          "\"pictures\": [{\"at\": \"a\", \"file\": \"" + letter + "\\u0000\"}]"}) {
+        CAPTURE(head);
+        write_all(file, "{\"nacre_autosave\": 2, \"name\": \"x\", " + head + "}\n" +
+                            design_json(starter_design(), folder.path()));
+        Rig r({.bake_threads = 1, .folders = below(folder)});
+        REQUIRE(r.designer().recovery.count() == 1);
+        r.play("frames 3\nclick \"Restore\"\nframes 3");
+        CHECK(r.designer().recovery.talking());
+        CHECK(r.document().file.empty());
+    }
+    CHECK(read_all(folder / "letter") == "mine");
+}
+
+TEST_CASE("recovery: restored work asks before it overwrites a file that has changed since") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "mine.nacre";
+    save_design(starter_design(), file);
+    UnsavedWork work{starter_design(), file, {{file, *content_of_file(file)}}};
+    work.design.name = "Edited";
+    fs::create_directories(folder / "state/nacre/unsaved/1-0000000a");
+    write_autosave(work, folder / "state/nacre/unsaved/1-0000000a" / autosave_name);
+    Design theirs = starter_design();
+    theirs.name = "Theirs";
+    save_design(theirs, file);
+    Rig r({.bake_threads = 1, .folders = below(folder)});
+    r.play("frames 3\nkey Enter\nframes 3");
+    REQUIRE(r.frames_until([&] { return r.designer().files.talking(); }));  // noticed at once
+    r.play("frames 30\nkey Escape\nframes 3");
+    CHECK(r.document().design == work.design);
+    CHECK(r.document().unsaved());
+    CHECK(load_design(file) == theirs);
+}
+
+TEST_CASE("recent files: a name that the system would cut off is none") {
+    const TemporaryFolder folder;
+    write_all(folder / "recent.json", "{\"nacre_recent\": 1, \"files\": [\"/a\\u0000.nacre\"]}");
+    const RecentFiles recent(folder.path());
+    CHECK(recent.files().empty());
+    CHECK(recent.problem().find("NUL") != std::string::npos);
+}
+
 TEST_CASE("recovery: work that is in its file already counts as saved") {
     const TemporaryFolder folder;
     const fs::path file = folder / "mine.nacre";
     save_design(starter_design(), file);
-    fs::create_directories(folder / "state/nacre/unsaved/1-a");
-    write_autosave({starter_design(), file}, folder / "state/nacre/unsaved/1-a" / autosave_name);
+    fs::create_directories(folder / "state/nacre/unsaved/1-0000000a");
+    write_autosave({starter_design(), file, {}}, folder / "state/nacre/unsaved/1-0000000a" / autosave_name);
     Rig r({.bake_threads = 1, .folders = below(folder)});
     r.play("frames 3\nkey Enter\nframes 3");
     CHECK(r.document().file == file);
     CHECK(!r.document().unsaved());
     r.designer().autosave.wait();
-    CHECK(!fs::exists(folder / "state/nacre/unsaved/1-a"));
+    CHECK(!fs::exists(folder / "state/nacre/unsaved/1-0000000a"));
 }
 
 TEST_CASE("a run without folders reads and writes nothing of the user's") {
@@ -264,8 +447,7 @@ TEST_CASE("read-only folder: told, and the work is still there") {
     write_all(folder / "mine.nacre", "old");
     // What is forbidden to others is allowed to root: it becomes nobody for a while.
     const bool root = geteuid() == 0;
-    fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
-                                       fs::perms::others_exec);
+    fs::permissions(folder.path(), fs::perms(0555));
     if (root) REQUIRE(seteuid(65534) == 0);
     check_refused_save(folder / "mine.nacre", "Permission denied");
     if (root) REQUIRE(seteuid(0) == 0);

@@ -1,7 +1,8 @@
 // nacre-crash-child paint|save|export FOLDER: works in the folder until it is killed, and tells on standard
-// output what it has done, a line each. nacre-test-crash kills it.
+// output what it has done, a line each. nacre-test-crash kills it. Beside these, what shortage.h does.
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "app/designer/file_flow.h"
 #include "app/headless/stage.h"
 #include "core/paint/painted_layer.h"
+#include "tests/crash/child/shortage.h"
 #include "tests/crash/exports.h"
 #include "tests/crash/numbered_design.h"
 
@@ -88,6 +90,7 @@ void save(const fs::path& folder) {
     files.remember({.settings = &settings, .recent = &recent, .dialogs = {}, .home = folder});
     nacre::Autosave autosave(folder / "unsaved");
     nacre::Document document(nacre::starter_design(), folder / "work.nacre");
+    document.held = nacre::held_now(std::array<fs::path, 1>{document.file});
     nacre::Layer layer = nacre::blank_painted_layer();
     auto raster = std::make_shared<nacre::Raster>(*std::get<nacre::PaintedLobe>(layer.lobe).image.raster);
     for (int stroke = 1;; ++stroke) {
@@ -125,6 +128,8 @@ int main(int count, char** values) {
         if (mode == "paint") paint(values[2]);
         if (mode == "save") save(values[2]);
         if (mode == "export") export_over_and_over(values[2]);
+        if (mode == "without-pictures") return nacre::test::without_pictures(values[2]), 0;
+        if (mode == "without-memory") return nacre::test::without_memory(values[2]), 0;
         std::fprintf(stderr, "nacre-crash-child paint|save|export FOLDER\n");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "nacre-crash-child: %s\n", error.what());

@@ -1,0 +1,55 @@
+#include "app/designer/dialogs_in_turn.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ui/shortcut_sheet.h"
+
+namespace nacre {
+namespace {
+
+void tell(Designer& designer, const std::optional<std::string>& message) {
+    if (message) designer.files.tell(*message);
+}
+
+}  // namespace
+
+void draw_dialogs(Designer& designer) {
+    Document& document = designer.document;
+    designer.files.draw(document);
+    if (auto restored = designer.files.take_restored()) {
+        designer.autosave.take_over(std::move(*restored));
+        notice_focus(designer);
+    }
+    if (designer.files.talking()) return;
+    if (auto found = designer.recovery.draw())
+        designer.files.restore(document, std::move(*found));
+    else if (designer.sheet)
+        designer.sheet = ui::shortcut_sheet();
+    else if (designer.changed_pictures.talking())
+        tell(designer, designer.changed_pictures.draw(document, designer.environment, designer.objects));
+    else if (designer.exporter.talking())
+        tell(designer, designer.exporter.draw(document, designer.preview, designer.scene));
+    else if (designer.pictures_of_preview.talking() || designer.pictures_of_preview.in_motion())
+        tell(designer, designer.pictures_of_preview.draw(document, designer.preview, designer.scene));
+    else if (designer.plots.saving.talking())
+        tell(designer, designer.plots.saving.draw());
+    else if (designer.objects.talking())
+        designer.objects.talk();
+    else if (designer.environment.talking())
+        designer.environment.talk();
+    else
+        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+    if (auto surroundings = designer.pictures.take_surroundings())
+        designer.environment.want(surroundings->string());
+}
+
+bool talking(const Designer& designer) {
+    return designer.changed_pictures.talking() || designer.files.talking() || designer.pictures.talking() ||
+           designer.recovery.talking() || designer.exporter.talking() ||
+           designer.pictures_of_preview.talking() || designer.sheet || designer.environment.talking() ||
+           designer.objects.talking() || designer.plots.saving.talking();
+}
+
+}  // namespace nacre

@@ -1,0 +1,39 @@
+#include "core/design/design_pictures.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "core/exchange/picture.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool contains(const std::vector<fs::path>& files, const fs::path& file) {
+    return std::find(files.begin(), files.end(), file) != files.end();
+}
+
+}  // namespace
+
+Design with_pictures_reread(Design design, const std::vector<fs::path>& files,
+                            const std::string& error_file) {
+    std::map<fs::path, std::shared_ptr<const Raster>> read;
+    for_each_picture(design, [&](Picture& picture, const std::string& where) {
+        if (picture.file.empty() || !contains(files, picture.file)) return;
+        std::shared_ptr<const Raster>& raster = read[picture.file];
+        if (!raster) raster = std::make_shared<const Raster>(load_picture(picture.file, error_file, where));
+        picture.raster = raster;
+    });
+    return design;
+}
+
+Design with_pictures_held(Design design, const std::vector<fs::path>& files) {
+    for_each_picture(design, [&](Picture& picture, const std::string&) {
+        if (contains(files, picture.file)) picture.file.clear();
+    });
+    return design;
+}
+
+}  // namespace nacre

@@ -1,0 +1,127 @@
+#include "tests/crash/child/shortage.h"
+
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "app/headless/stage.h"
+#include "core/design/error.h"
+
+namespace nacre::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Hand {
+  public:
+    Hand() { play("frames 2\nwait"); }
+
+    Designer& designer() { return stage_.designer(); }
+    void play(const std::string& events) { stage_.play(parse_events(events, "shortage")); }
+
+    // What the question on the screen says, once there is one; it is answered then.
+    template <class Problem>
+    void told(const char* what, const Problem& problem) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (problem().empty()) {
+            if (std::chrono::steady_clock::now() > end)
+                throw std::runtime_error(std::string(what) + ": not told");
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            play("frames 1");
+        }
+        std::printf("%s: %s\n", what, problem().c_str());
+        play("frames 30\nkey Enter\nframes 5");
+        if (!problem().empty()) throw std::runtime_error(std::string(what) + ": told for ever");
+    }
+
+  private:
+    Stage stage_{{.size = {640, 400}, .bake_threads = 1}};
+};
+
+// The process can take so many bytes more and no others, for as long as this lives.
+class MemoryLimit {
+  public:
+    explicit MemoryLimit(rlim_t more) {
+        mallopt(M_MMAP_THRESHOLD, 1 << 18);  // what is large comes from the system, and goes back to it
+        malloc_trim(0);
+        getrlimit(RLIMIT_AS, &old_);
+        rlim_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const rlimit limit{pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + more, old_.rlim_max};
+        setrlimit(RLIMIT_AS, &limit);
+    }
+    ~MemoryLimit() { setrlimit(RLIMIT_AS, &old_); }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+  private:
+    rlimit old_{};
+};
+
+constexpr rlim_t slack = rlim_t{3} << 20;  // for what is small
+
+void export_to(Hand& hand, std::size_t format, const fs::path& file) {
+    hand.play("key Ctrl+E\nframes 3");
+    hand.designer().exporter.options().chosen = format;
+    hand.play("click \"Choose export file\"\nframes 3\nkey Ctrl+A\ntext \"" + file.string() +
+              "\"\nkey Enter\nframes 3");
+}
+
+}  // namespace
+
+void without_pictures(const fs::path& folder) {
+    Hand hand;
+    Designer& designer = hand.designer();
+    const std::string drop = "drop \"" + (folder / "picture.png").string() + "\"\nframes 3\n";
+    for (const char* use : {"Stamp", "Normals", "Modulation"}) {
+        hand.play(drop + "click \"" + use + "\"\nframes 3");
+        hand.told(use, [&] { return designer.pictures.problem(); });
+    }
+    hand.play(drop + "click \"Surroundings\"\nframes 3");
+    hand.told("surroundings", [&] { return designer.environment.problem(); });
+    take_file(designer, folder / "pictured.nacre");
+    hand.told("design", [&] { return designer.files.problem(); });
+    export_to(hand, 2, folder / "out.png");
+    hand.told("export", [&] { return designer.exporter.problem(); });
+    designer.settings.values.picture_folder = folder;
+    hand.play("key F12");
+    hand.told("F12", [&] { return designer.pictures_of_preview.problem(); });
+}
+
+void without_memory(const fs::path& folder) {
+    Hand hand;
+    Designer& designer = hand.designer();
+    {
+        const MemoryLimit limit(slack);
+        take_file(designer, folder / "large.nacre");
+        hand.told("open", [&] { return designer.files.problem(); });
+        if (!designer.document.file.empty()) throw std::runtime_error("it was opened all the same");
+    }
+    take_file(designer, folder / "large.nacre");
+    hand.play("frames 3");
+    designer.layers.chosen = 1;
+    hand.play("click \"Paint\"\nwait");
+    const Design before = designer.document.design;
+    {
+        const MemoryLimit limit(slack);
+        hand.play("drag \"Canvas\":@5,10 \"Canvas\":@40,60 8");
+        hand.told("stroke", [&] { return designer.files.problem(); });
+        if (designer.document.design != before) throw std::runtime_error("half a stroke stayed");
+    }
+    {
+        const MemoryLimit limit(slack);
+        export_to(hand, 0, folder / "tables");
+        hand.told("export", [&] { return designer.exporter.problem(); });
+    }
+    hand.play("drag \"Canvas\":@5,10 \"Canvas\":@40,60 8\nframes 3");
+    if (designer.document.design == before) throw std::runtime_error("nothing can be painted any more");
+}
+
+}  // namespace nacre::test
