@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/disk_texels.h"
+
 namespace nacre {
 namespace {
 
@@ -21,6 +23,7 @@ bool picture_mirrors(const Raster& r, bool across_y) {
         for (int column = 0; column < r.width; ++column) {
             const int other =
                 across_y ? row * r.width + (r.width - 1 - column) : (r.height - 1 - row) * r.width + column;
+            if (!on_disk(r.width, row, column)) continue;
             if (r.values[static_cast<std::size_t>(row * r.width + column)] !=
                 r.values[static_cast<std::size_t>(other)])
                 return false;

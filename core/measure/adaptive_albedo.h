@@ -1,12 +1,14 @@
 // R(k) by adaptive integration in the lobes' own coordinates.
 #pragma once
 
+#include <memory>
 #include <numbers>
 #include <stop_token>
 #include <vector>
 
 #include "core/bake/albedo.h"
 #include "core/bake/bake.h"
+#include "core/measure/picture_rule.h"
 
 namespace nacre {
 
@@ -14,19 +16,22 @@ class AdaptiveAlbedo {
   public:
     // `tolerance`: absolute, of every value.
     AdaptiveAlbedo(const FacetDistribution& distribution, double tolerance)
-        : distribution_(distribution), tolerance_(tolerance), facets_(distribution.facets(0)) {}
+        : distribution_(distribution), tolerance_(tolerance) {
+        for (const PlacedLobe& placed : distribution.lobes())
+            rules_.push_back(placed.lobe->spans().empty() ? std::make_unique<const PictureRule>(placed)
+                                                          : nullptr);
+    }
 
     // `integrand` holds k1; area(k2) is g. Throws BakeCancelled soon after a stop is requested.
     template <class AreaOf>
     AlbedoValues operator()(const FacetAlbedo& integrand, const AreaOf& area,
                             const std::stop_token& stop) const {
         AlbedoValues sum{};
-        for (std::size_t i = 0; i < facets_.size(); ++i) {
+        for (std::size_t i = 0; i < rules_.size(); ++i) {
             const PlacedLobe& placed = distribution_.lobes()[i];
-            for (const Facet& facet : facets_[i]) {
-                if (stop.stop_requested()) throw BakeCancelled();
-                add(sum, integrand(facet.h, area), facet.mass);
-            }
+            if (rules_[i])
+                add(sum, rules_[i]->integrate([&](dvec3 h) { return integrand(h, area); }, tolerance_, stop),
+                    1);
             for (const LobeSpan& span : placed.lobe->spans()) {
                 const LobeWalk walk(placed, span, integrand.k1);
                 for (int half = 0; half < 2; ++half)
@@ -72,7 +77,7 @@ class AdaptiveAlbedo {
 
     const FacetDistribution& distribution_;
     double tolerance_;
-    std::vector<std::vector<Facet>> facets_;
+    std::vector<std::unique_ptr<const PictureRule>> rules_;  // of the lobes that hold a picture
 };
 
 }  // namespace nacre

@@ -21,7 +21,9 @@ constexpr double albedo_tolerance = 5e-7;
 }  // namespace
 
 Reference::Reference(const Design& design)
-    : distribution_(design.distribution), albedo_(distribution_, albedo_tolerance) {
+    : distribution_(design.distribution,
+                    [](const Layer& layer, std::size_t) { return make_lobe(layer, Fineness::exact); }),
+      albedo_(distribution_, albedo_tolerance) {
     describe_material(design, distribution_, shading_);
     describe_layers(design.distribution, distribution_, shading_, data_);
     shading_.data = data_.data();

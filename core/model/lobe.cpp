@@ -25,7 +25,7 @@ std::shared_ptr<const LobeModel> make_plain_lobe(const Lobe& lobe) {
                             [](const BeckmannLobe& l) { return make_beckmann_lobe(l); },
                             [](const UniformLobe& l) { return make_uniform_lobe(l); },
                             [](const CurveLobe& l) { return make_curve_lobe(l); },
-                            [](const PaintedLobe& l) { return make_painted_lobe(l, {}); }},
+                            [](const PaintedLobe& l) { return make_painted_lobe(l, {}, Fineness::bake); }},
                       lobe);
 }
 
@@ -47,11 +47,13 @@ dvec3 LobeModel::mean() const {
 
 std::vector<Facet> LobeModel::facets(std::size_t) const { return {}; }
 
-std::shared_ptr<const LobeModel> make_lobe(const Layer& layer) {
+void LobeModel::visit_points(const std::function<void(const Facet&)>&) const {}
+
+std::shared_ptr<const LobeModel> make_lobe(const Layer& layer, Fineness fineness) {
     if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
-        return make_painted_lobe(*painted, layer.modulation);
+        return make_painted_lobe(*painted, layer.modulation, fineness);
     std::shared_ptr<const LobeModel> lobe = make_plain_lobe(layer.lobe);
-    if (layer.modulation) lobe = make_modulated_lobe(std::move(lobe), *layer.modulation);
+    if (layer.modulation) lobe = make_modulated_lobe(std::move(lobe), *layer.modulation, fineness);
     return lobe;
 }
 

@@ -76,6 +76,10 @@ class LobeModel {
     // The facets of a lobe that has no smooth form: about `count` at the most, or all with 0.
     virtual std::vector<Facet> facets(std::size_t count) const;
 
+    // The same so fine that any smooth function may be read at each, of mass p times a weight: one after
+    // another.
+    virtual void visit_points(const std::function<void(const Facet&)>& visit) const;
+
     // A facet as k sees it: density (h.k)+ p(h)/g(k). g(k) must be positive.
     virtual dvec3 sample_visible(dvec3 k, Random& random) const = 0;
 
@@ -85,8 +89,14 @@ class LobeModel {
     LobeModel& operator=(const LobeModel&) = delete;
 };
 
+// How finely a lobe that holds a picture is parted into facets; any other is exact as it is.
+enum class Fineness {
+    bake,  // g to about 1e-5 of N, for tables
+    exact  // to 1e-6: the truth
+};
+
 // The model of a layer's lobe, its modulation included; frame, weight and name play no part.
-std::shared_ptr<const LobeModel> make_lobe(const Layer& layer);
+std::shared_ptr<const LobeModel> make_lobe(const Layer& layer, Fineness fineness = Fineness::bake);
 
 double uniform_random(Random& random);  // in [0, 1)
 

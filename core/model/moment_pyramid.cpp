@@ -38,31 +38,36 @@ std::size_t draw(const std::vector<double>& part, Random& random) {
 }
 
 std::shared_ptr<const PyramidTile> tile_of(int row, int column, int side,
-                                           const MomentPyramid::FacetAt& facet_at) {
+                                           const MomentPyramid::FacetAt& facet_at,
+                                           const MomentPyramid::SpreadAt& spread_at) {
     std::vector<Facet> facets(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     for (std::size_t i = 0; i < facets.size(); ++i)
         facets[i] = facet_at(row + morton_row(i), column + morton_column(i));
-    return std::make_shared<const PyramidTile>(make_tile(facets));
+    std::vector<Spread> spreads(facets.size() / 16);
+    for (std::size_t i = 0; i < spreads.size() && spread_at; ++i)
+        spreads[i] = spread_at(row + 4 * morton_row(i) + 2, column + 4 * morton_column(i) + 2);
+    return std::make_shared<const PyramidTile>(make_tile(facets, spreads));
 }
 
 }  // namespace
 
-MomentPyramid::MomentPyramid(int side, const FacetAt& facet_at)
+MomentPyramid::MomentPyramid(int side, const FacetAt& facet_at, const SpreadAt& spread_at)
     : side_(side), tile_side_(std::min(side, tile_side_most)), tiles_(side / tile_side_) {
     top_.tiles.resize(static_cast<std::size_t>(tiles_) * static_cast<std::size_t>(tiles_));
     tbb::parallel_for(0, tiles_ * tiles_, [&](int i) {
         top_.tiles[static_cast<std::size_t>(i)] =
-            tile_of(i / tiles_ * tile_side_, i % tiles_ * tile_side_, tile_side_, facet_at);
+            tile_of(i / tiles_ * tile_side_, i % tiles_ * tile_side_, tile_side_, facet_at, spread_at);
     });
     add_up();
 }
 
-MomentPyramid MomentPyramid::changed(const Part& part, const FacetAt& facet_at) const {
+MomentPyramid MomentPyramid::changed(const Part& part, const FacetAt& facet_at,
+                                     const SpreadAt& spread_at) const {
     MomentPyramid result = *this;
     for (int row = part.row_begin / tile_side_; row * tile_side_ < part.row_end; ++row)
         for (int column = part.column_begin / tile_side_; column * tile_side_ < part.column_end; ++column)
             result.top_.tiles[static_cast<std::size_t>(row * tiles_ + column)] =
-                tile_of(row * tile_side_, column * tile_side_, tile_side_, facet_at);
+                tile_of(row * tile_side_, column * tile_side_, tile_side_, facet_at, spread_at);
     result.add_up();
     return result;
 }
@@ -139,8 +144,7 @@ std::size_t MomentPyramid::sample_visible(dvec3 k, Random& random) const {
         node = 4 * node + 1 + child;
     }
     parts.resize(16);
-    for (std::size_t i = 0; i < 16; ++i)
-        parts[i] = std::max(glm::dot(k, moment_at(tile.leaves[node - inner], i)), 0.0);
+    for (std::size_t i = 0; i < 16; ++i) parts[i] = visible_area(tile.leaves[node - inner], i, k);
     index = 16 * index + draw(parts, random);
     const int row = static_cast<int>(chosen) / tiles_ * tile_side_ + morton_row(index);
     const int column = static_cast<int>(chosen) % tiles_ * tile_side_ + morton_column(index);

@@ -14,17 +14,21 @@ class MomentPyramid {
     // The facet at (row, column); mass 0 where the grid holds none. Called from several threads.
     using FacetAt = std::function<Facet(int row, int column)>;
 
+    // How far the facets' patches spread near (row, column), a place amid some of them; facets without
+    // patches where this is none.
+    using SpreadAt = std::function<Spread(double row, double column)>;
+
     // Rows and columns, the ends not included.
     struct Part {
         int row_begin, row_end, column_begin, column_end;
     };
 
     // side x side facets, side a power of two, 4 at the least.
-    MomentPyramid(int side, const FacetAt& facet_at);
+    MomentPyramid(int side, const FacetAt& facet_at, const SpreadAt& spread_at = {});
 
     // The same pyramid to the bit as one made anew from `facet_at`, which differs from this one within
     // `part`.
-    MomentPyramid changed(const Part& part, const FacetAt& facet_at) const;
+    MomentPyramid changed(const Part& part, const FacetAt& facet_at, const SpreadAt& spread_at = {}) const;
 
     double projected_area(dvec3 k) const { return sum_visible_area(top_, k); }
     Area area(dvec3 k) const { return sum_visible(top_, k); }

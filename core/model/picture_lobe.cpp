@@ -4,98 +4,71 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
-#include "core/model/disk.h"
 #include "core/model/lobe_densities.h"
 #include "core/model/moment_pyramid.h"
-#include "core/model/shading.h"
-#include "core/model/span_facet.h"
+#include "core/model/picture_reader.h"
+#include "core/model/texel_tents.h"
 
 namespace nacre {
 namespace {
 
-using std::numbers::pi;
+TexelTents make_tents(int side, const std::optional<ModulationFactor>& factor) {
+    if (!factor) return TexelTents(side);
+    return {side, [&](dvec2 at) { return (*factor)(at); }, factor->side()};
+}
 
-// A picture as the shader reads it.
-class PictureReader {
-  public:
-    explicit PictureReader(const Picture& picture) : raster_(picture.raster) {
-        shading_.data = raster_->values.data();
-    }
-    double operator()(dvec3 h) const { return shading_.picture_value(h, 0, raster_->width); }
-
-  private:
-    std::shared_ptr<const Raster> raster_;
-    Shading<double> shading_;
-};
-
-// 1 - strength + strength * picture.
-class ModulationFactor {
-  public:
-    explicit ModulationFactor(const Modulation& modulation)
-        : strength_(modulation.strength), picture_(modulation.image) {
-        const std::vector<float>& values = modulation.image.raster->values;
-        const double brightest = *std::max_element(values.begin(), values.end());
-        peak_ = 1 - strength_ + strength_ * std::max(brightest, 0.0);
-    }
-    double operator()(dvec3 h) const { return 1 - strength_ + strength_ * picture_(h); }
-    double peak() const { return peak_; }
-
-  private:
-    double strength_;
-    PictureReader picture_;
-    double peak_ = 1;
-};
-
-// p is bilinear between texel centres; the set of facets that stands for it has at least 256 of them a side.
+// p is bilinear between texel centres, so that it is the sum of tents; where there are few, each texel's is
+// the sum of finer ones, whose middles lie on the texels' and evenly between.
 class Painted final : public LobeModel {
   public:
-    Painted(const PaintedLobe& lobe, const std::optional<Modulation>& modulation)
-        : raster_(lobe.image.raster), picture_(lobe.image), modulation_(modulation) {
-        while (raster_->width * finer_ < 256) finer_ *= 2;
-        cells_ = raster_->width * finer_;
+    Painted(const PaintedLobe& lobe, const std::optional<Modulation>& modulation, Fineness fineness)
+        : given_(lobe.image.raster), picture_(*given_), modulation_(modulation) {
+        while (given_->width * finer_ < (fineness == Fineness::bake ? least_side : 2 * least_side))
+            finer_ += 2;
+        cells_ = given_->width * finer_;
         if (modulation) factor_.emplace(*modulation);
+        tents_ = std::make_shared<const TexelTents>(make_tents(cells_, factor_));
+        make_values();
         pyramid_ = std::make_unique<const MomentPyramid>(
-            static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells_))), facet_at());
+            static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells_))), facet_at(), spread_at());
     }
 
     // The same lobe with another raster of the same size, which differs within `part`, in texels.
-    Painted(const Painted& before, const Picture& image, const MomentPyramid::Part& part)
-        : raster_(image.raster),
-          picture_(image),
+    Painted(const Painted& before, const std::shared_ptr<const Raster>& raster,
+            const MomentPyramid::Part& part)
+        : given_(raster),
+          picture_(*raster),
           modulation_(before.modulation_),
           factor_(before.factor_),
           finer_(before.finer_),
           cells_(before.cells_),
-          pyramid_(
-              std::make_unique<const MomentPyramid>(before.pyramid_->changed(facets_of(part), facet_at()))) {}
+          tents_(before.tents_) {
+        make_values();
+        pyramid_ = std::make_unique<const MomentPyramid>(
+            before.pyramid_->changed(facets_of(part), facet_at(), spread_at()));
+    }
 
-    // What one texel changes when p is bilinear: itself and, between centres, its neighbours.
+    // What one texel changes: its tent and those that the disk's rim takes from it.
     MomentPyramid::Part facets_of(const MomentPyramid::Part& texels) const {
-        const int reach = finer_ == 1 ? 0 : 1;
+        const int reach = 2;
         return {std::max(texels.row_begin - reach, 0) * finer_,
-                std::min(texels.row_end + reach, raster_->height) * finer_,
+                std::min(texels.row_end + reach, given_->height) * finer_,
                 std::max(texels.column_begin - reach, 0) * finer_,
-                std::min(texels.column_end + reach, raster_->width) * finer_};
+                std::min(texels.column_end + reach, given_->width) * finer_};
     }
 
     Facet facet(int row, int column) const {
         if (row >= cells_ || column >= cells_) return {};
-        const dvec2 at = grid_point(row + 0.5, column + 0.5);
-        if (glm::dot(at, at) >= 1) return {};
-        const dvec3 h = disk_direction(at);
-        double p = 0;
-        if (finer_ == 1) {
-            p = static_cast<double>(raster_->values[static_cast<std::size_t>(row * cells_ + column)]);
-            if (factor_) p *= (*factor_)(h);
-        } else {
-            p = density(h);
-        }
-        return {h, p * (2 * (2.0 / cells_) * (2.0 / cells_))};
+        const double p = static_cast<double>(
+            values_->values[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells_) +
+                            static_cast<std::size_t>(column)]);
+        if (!(p > 0)) return {};
+        const Facet tent = (*tents_)(row, column);
+        return {tent.h, p * tent.mass};
     }
 
-    const Raster& raster() const { return *raster_; }
+    const Raster& raster() const { return *given_; }
     const std::optional<Modulation>& modulation() const { return modulation_; }
 
     double density(dvec3 h) const override {
@@ -104,7 +77,8 @@ class Painted final : public LobeModel {
     }
     void densities(const DirectionColumns& h, double* p) const override {
         if (factor_) return LobeModel::densities(h, p);
-        lobe_densities({Shading<double>::LOBE_PAINTED, {}, raster_->values.data(), raster_->width}, h, p);
+        lobe_densities({Shading<double>::LOBE_PAINTED, {}, picture_.raster()->values.data(), given_->width},
+                       h, p);
     }
     double mass() const override { return pyramid_->mass(); }
     Area area(dvec3 k) const override { return pyramid_->area(k); }
@@ -114,42 +88,77 @@ class Painted final : public LobeModel {
     std::vector<LobeSpan> domains() const override { return {LobeSpan{}}; }
     std::vector<Facet> facets(std::size_t count) const override { return pyramid_->facets(count); }
 
-    // A cell by descent, then a place in it by rejection; p is bilinear on the quarters of a cell, so that
-    // its corners, edges' middles and centre bound it.
-    dvec3 sample_visible(dvec3 k, Random& random) const override {
-        const std::size_t index = pyramid_->sample_visible(k, random);
-        const std::size_t side = std::bit_ceil(static_cast<std::size_t>(cells_));
-        const double row = static_cast<double>(index / side), column = static_cast<double>(index % side);
-        double peak = 0;
-        for (int i = 0; i < 9; ++i) {
-            const dvec2 at = grid_point(row + 0.5 * (i / 3), column + 0.5 * (i % 3));
-            peak = std::max(peak, density(disk_direction(at * std::min(1.0, (1 - 1e-12) / glm::length(at)))));
-        }
-        const double reach = 4.0 / cells_;
-        const double seen = glm::dot(k, disk_direction(grid_point(row + 0.5, column + 0.5))) + reach;
-        for (;;) {
-            const dvec2 at = grid_point(row + uniform_random(random), column + uniform_random(random));
-            if (glm::dot(at, at) >= 1) continue;
+    void visit_points(const std::function<void(const Facet&)>& visit) const override {
+        visit_disk(given_->width, factor_ ? factor_->side() : 0, [&](dvec2 at, double solid_angle) {
             const dvec3 h = disk_direction(at);
-            if (uniform_random(random) * peak * seen < density(h) * glm::dot(k, h)) return h;
+            const double p = picture_(at) * (factor_ ? (*factor_)(at) : 1);
+            if (p > 0) visit({h, p * solid_angle});
+        });
+    }
+
+    // A tent by descent, then a place under it. A tent of which k sees next to nothing may turn out to be
+    // hidden whole: then another is drawn.
+    dvec3 sample_visible(dvec3 k, Random& random) const override {
+        const std::size_t side = std::bit_ceil(static_cast<std::size_t>(cells_));
+        for (;;) {
+            const std::size_t index = pyramid_->sample_visible(k, random);
+            const int row = static_cast<int>(index / side), column = static_cast<int>(index % side);
+            const double most = glm::dot(k, (*tents_)(row, column).h) + 4 * tents_->reach();
+            for (int trial = 0; trial < trials_most; ++trial) {
+                const dvec2 at(place_under_tent(column, random), -place_under_tent(row, random));
+                if (glm::dot(at, at) >= 1) continue;
+                const dvec3 h = disk_direction(at);
+                const double factor = factor_ ? (*factor_)(at) / factor_->peak() : 1;
+                if (uniform_random(random) * most < factor * glm::dot(k, h)) return h;
+            }
         }
     }
 
   private:
-    dvec2 grid_point(double row, double column) const {
-        return {2 * column / cells_ - 1, 1 - 2 * row / cells_};
+    static constexpr int least_side = 128;     // tents a side
+    static constexpr int trials_most = 10000;  // of places under a tent
+
+    double middle_of(int index) const { return (2.0 * index + 1 - cells_) / cells_; }
+
+    // Along one axis. A tent's outer half is flat where it is the outermost.
+    double place_under_tent(int index, Random& random) const {
+        const double off = uniform_random(random) - uniform_random(random);
+        const bool flat = (index == 0 && off < 0) || (index == cells_ - 1 && off > 0);
+        return middle_of(index) +
+               (flat ? std::copysign(0.5 * uniform_random(random), off) : off) * tents_->reach();
+    }
+
+    // What each tent is multiplied by.
+    void make_values() {
+        values_ = picture_.raster();
+        if (finer_ == 1) return;
+        auto finer = std::make_shared<Raster>(Raster{cells_, cells_, {}});
+        finer->values.reserve(static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_));
+        for (int row = 0; row < cells_; ++row)
+            for (int column = 0; column < cells_; ++column)
+                finer->values.push_back(
+                    static_cast<float>(picture_(dvec2(middle_of(column), -middle_of(row)))));
+        values_ = std::move(finer);
     }
 
     MomentPyramid::FacetAt facet_at() const {
         return [this](int row, int column) { return facet(row, column); };
     }
 
-    std::shared_ptr<const Raster> raster_;
+    MomentPyramid::SpreadAt spread_at() const {
+        return [this](double row, double column) {
+            return spread_on_disk({2 * column / cells_ - 1, 1 - 2 * row / cells_}, tents_->reach());
+        };
+    }
+
+    std::shared_ptr<const Raster> given_;
     PictureReader picture_;
     std::optional<Modulation> modulation_;
     std::optional<ModulationFactor> factor_;
-    int finer_ = 1;  // facets a side of a texel
-    int cells_ = 0;  // facets a side
+    int finer_ = 1;  // tents a side of a texel, an odd number
+    int cells_ = 0;  // tents a side
+    std::shared_ptr<const TexelTents> tents_;
+    std::shared_ptr<const Raster> values_;
     std::unique_ptr<const MomentPyramid> pyramid_;
 };
 
@@ -174,81 +183,39 @@ MomentPyramid::Part difference(const Raster& a, const Raster& b) {
     return part;
 }
 
-// The base lobe's own coordinates carry the facets, so that a narrow lobe is resolved whatever the picture's
-// size.
-class Modulated final : public LobeModel {
-  public:
-    Modulated(std::shared_ptr<const LobeModel> base, const Modulation& modulation)
-        : base_(std::move(base)), factor_(modulation) {
-        for (const LobeSpan& span : base_->spans()) pyramids_.push_back(make_pyramid(span));
-    }
-
-    double density(dvec3 h) const override { return base_->density(h) * factor_(h); }
-
-    double mass() const override {
-        double sum = 0;
-        for (const MomentPyramid& pyramid : pyramids_) sum += pyramid.mass();
-        return sum;
-    }
-
-    Area area(dvec3 k) const override {
-        Area sum;
-        for (const MomentPyramid& pyramid : pyramids_) {
-            const Area part = pyramid.area(k);
-            sum.g += part.g;
-            sum.gradient += part.gradient;
-        }
-        return sum;
-    }
-
-    double projected_area(dvec3 k) const override {
-        double sum = 0;
-        for (const MomentPyramid& pyramid : pyramids_) sum += pyramid.projected_area(k);
-        return sum;
-    }
-
-    dvec3 mean() const override {
-        dvec3 sum{0};
-        for (const MomentPyramid& pyramid : pyramids_) sum += pyramid.mean();
-        return sum;
-    }
-
-    std::vector<LobeSpan> spans() const override { return {}; }
-    std::vector<LobeSpan> domains() const override { return base_->domains(); }
-
-    std::vector<Facet> facets(std::size_t count) const override {
-        std::vector<Facet> all;
-        for (const MomentPyramid& pyramid : pyramids_) {
-            const std::vector<Facet> part = pyramid.facets(count);
-            all.insert(all.end(), part.begin(), part.end());
-        }
-        return all;
-    }
-
-    dvec3 sample_visible(dvec3 k, Random& random) const override {
-        for (;;) {
-            const dvec3 h = base_->sample_visible(k, random);
-            if (uniform_random(random) * factor_.peak() < factor_(h)) return h;
-        }
-    }
-
-  private:
-    static constexpr int side = 256;
-
-    MomentPyramid make_pyramid(const LobeSpan& span) const {
-        return MomentPyramid(side, [&](int i, int j) { return span_facet(*this, span, side, i, j); });
-    }
-
-    std::shared_ptr<const LobeModel> base_;
-    ModulationFactor factor_;
-    std::vector<MomentPyramid> pyramids_;
-};
-
 }  // namespace
 
 std::shared_ptr<const LobeModel> make_painted_lobe(const PaintedLobe& lobe,
-                                                   const std::optional<Modulation>& modulation) {
-    return std::make_shared<Painted>(lobe, modulation);
+                                                   const std::optional<Modulation>& modulation,
+                                                   Fineness fineness) {
+    return std::make_shared<Painted>(lobe, modulation, fineness);
+}
+
+std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modulation>& modulation) {
+    const TexelTents tents =
+        make_tents(raster.width, modulation ? std::make_optional<ModulationFactor>(*modulation)
+                                            : std::optional<ModulationFactor>());
+    std::vector<Facet> sums(raster.values.size());  // the moment for h
+    const auto add = [&](std::size_t index, const Facet& tent, double part) {
+        sums[index].h += part * tent.mass * tent.h;
+        sums[index].mass += part * tent.mass;
+    };
+    for (int row = 0; row < raster.height; ++row)
+        for (int column = 0; column < raster.width; ++column) {
+            const Facet tent = tents(row, column);
+            const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.width) +
+                               static_cast<std::size_t>(column);
+            if (on_disk(raster.width, row, column)) {
+                add(index, tent, 1);
+                continue;
+            }
+            const TexelSources sources = texel_sources(raster.width, row, column);
+            for (int i = 0; i < sources.count; ++i)
+                add(sources.index[static_cast<std::size_t>(i)], tent, 1.0 / sources.count);
+        }
+    for (Facet& facet : sums)
+        if (facet.mass > 0) facet.h /= facet.mass;
+    return sums;
 }
 
 std::optional<Repaint> repaint(const LobeModel& before, const Layer& after) {
@@ -258,7 +225,7 @@ std::optional<Repaint> repaint(const LobeModel& before, const Layer& after) {
     const Raster& raster = *painted->image.raster;
     if (lobe->raster().width != raster.width) return {};
     const MomentPyramid::Part texels = difference(lobe->raster(), raster);
-    auto repainted = std::make_shared<const Painted>(*lobe, painted->image, texels);
+    auto repainted = std::make_shared<const Painted>(*lobe, painted->image.raster, texels);
     Repaint result{repainted, {}};
     const MomentPyramid::Part part = lobe->facets_of(texels);
     for (int row = part.row_begin; row < part.row_end; ++row)
@@ -267,11 +234,6 @@ std::optional<Repaint> repaint(const LobeModel& before, const Layer& after) {
             if (now.mass != old.mass) result.changes.push_back({now.h, now.mass - old.mass});
         }
     return result;
-}
-
-std::shared_ptr<const LobeModel> make_modulated_lobe(std::shared_ptr<const LobeModel> base,
-                                                     const Modulation& modulation) {
-    return std::make_shared<Modulated>(std::move(base), modulation);
 }
 
 }  // namespace nacre

@@ -7,7 +7,12 @@ namespace nacre {
 
 // A product that is 0 everywhere has mass 0.
 std::shared_ptr<const LobeModel> make_painted_lobe(const PaintedLobe& lobe,
-                                                   const std::optional<Modulation>& modulation);
+                                                   const std::optional<Modulation>& modulation,
+                                                   Fineness fineness);
+
+// What each texel of a painted lobe's raster, row by row, stands for at a value of 1, in the lobe's frame:
+// the facets' mass and their mean direction, which is shorter than 1. Nothing for texels off the disk.
+std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modulation>& modulation);
 
 // A painted lobe after a brush has touched its raster.
 struct Repaint {
@@ -21,6 +26,6 @@ std::optional<Repaint> repaint(const LobeModel& before, const Layer& after);
 
 // `base` has spans(), so it is any lobe but a painted one.
 std::shared_ptr<const LobeModel> make_modulated_lobe(std::shared_ptr<const LobeModel> base,
-                                                     const Modulation& modulation);
+                                                     const Modulation& modulation, Fineness fineness);
 
 }  // namespace nacre

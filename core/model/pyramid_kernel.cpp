@@ -1,6 +1,8 @@
 #include "core/model/pyramid_kernel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/model/pyramid_kernel.cpp"
@@ -78,28 +80,46 @@ class Walk {
 
     dvec3 gradient() const {
         const LongDoubles d;
-        return {hn::GetLane(hn::SumOfLanes(d_, gx_)) + hn::GetLane(hn::SumOfLanes(d, leaf_x_)),
-                hn::GetLane(hn::SumOfLanes(d_, gy_)) + hn::GetLane(hn::SumOfLanes(d, leaf_y_)),
-                hn::GetLane(hn::SumOfLanes(d_, gz_)) + hn::GetLane(hn::SumOfLanes(d, leaf_z_))};
+        return {hn::GetLane(hn::SumOfLanes(d_, gx_)) + hn::GetLane(hn::SumOfLanes(d, leaf_x_)) + bent_.x,
+                hn::GetLane(hn::SumOfLanes(d_, gy_)) + hn::GetLane(hn::SumOfLanes(d, leaf_y_)) + bent_.y,
+                hn::GetLane(hn::SumOfLanes(d_, gz_)) + hn::GetLane(hn::SumOfLanes(d, leaf_z_)) + bent_.z};
     }
 
   private:
+    // What k sees of a tent of half-width a about m: m + (a - |m|)^3/(6 a^2) where that is less than a from
+    // 0.
     void add(const LeafBlock& leaf) {
         const LongDoubles d;
+        const Spread& s = leaf.spread;
+        const dvec3 along(s.xx * k_.x + s.xy * k_.y + s.xz * k_.z, s.xy * k_.x + s.yy * k_.y + s.yz * k_.z,
+                          s.xz * k_.x + s.yz * k_.y + s.zz * k_.z);
+        const double square = std::max(glm::dot(k_, along), 0.0);
+        const LongVector zero = hn::Zero(d), width = hn::Set(d, std::sqrt(square));
+        LongVector bent = zero;
         for (std::size_t i = 0; i < 16; i += hn::Lanes(d)) {
             const LongVector x = hn::LoadU(d, leaf.x + i), y = hn::LoadU(d, leaf.y + i),
                              z = hn::LoadU(d, leaf.z + i);
             const LongVector seen = hn::MulAdd(x, hn::Set(d, k_.x),
                                                hn::MulAdd(y, hn::Set(d, k_.y), hn::Mul(z, hn::Set(d, k_.z))));
-            leaf_g_ = hn::Add(leaf_g_, hn::Max(seen, hn::Zero(d)));
+            const LongVector a = hn::Mul(hn::LoadU(d, leaf.share + i), width);
+            const LongVector rest = hn::Max(hn::Sub(a, hn::Abs(seen)), zero);
+            const LongVector part = hn::Div(rest, hn::Max(a, hn::Set(d, smallest)));  // 0 to 1
+            const LongVector tip = hn::Mul(hn::Mul(rest, hn::Set(d, 1.0 / 6)), hn::Mul(part, part));
+            leaf_g_ = hn::Add(leaf_g_, hn::Add(hn::Max(seen, zero), tip));
             if constexpr (with_gradient) {
-                const auto front = hn::Gt(seen, hn::Zero(d));
-                leaf_x_ = hn::Add(leaf_x_, hn::IfThenElseZero(front, x));
-                leaf_y_ = hn::Add(leaf_y_, hn::IfThenElseZero(front, y));
-                leaf_z_ = hn::Add(leaf_z_, hn::IfThenElseZero(front, z));
+                const LongVector back = hn::Mul(hn::Set(d, 0.5), hn::Mul(part, part));
+                const LongVector front =
+                    hn::IfThenElse(hn::Gt(seen, zero), hn::Sub(hn::Set(d, 1.0), back), back);
+                leaf_x_ = hn::MulAdd(front, x, leaf_x_);
+                leaf_y_ = hn::MulAdd(front, y, leaf_y_);
+                leaf_z_ = hn::MulAdd(front, z, leaf_z_);
+                bent = hn::Add(bent, hn::Sub(hn::Add(hn::Max(seen, zero), tip), hn::Mul(front, seen)));
             }
         }
+        if (with_gradient && square > 0) bent_ += along * (hn::GetLane(hn::SumOfLanes(d, bent)) / square);
     }
+
+    static constexpr double smallest = std::numeric_limits<double>::min();
 
     dvec3 k_;
     Doubles d_;
@@ -107,6 +127,7 @@ class Walk {
     Vector g_ = hn::Zero(d_), gx_ = hn::Zero(d_), gy_ = hn::Zero(d_), gz_ = hn::Zero(d_);
     LongVector leaf_g_ = hn::Zero(LongDoubles()), leaf_x_ = hn::Zero(LongDoubles()),
                leaf_y_ = hn::Zero(LongDoubles()), leaf_z_ = hn::Zero(LongDoubles());
+    dvec3 bent_{0};  // by the tents' spread
 };
 
 template <bool with_gradient>

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/model/lobe.h"
+#include "core/model/texel_tents.h"
 
 namespace nacre {
 
@@ -25,9 +25,12 @@ struct PyramidCell {
     double radius = -1;
 };
 
-// m of the facets of one cell of the finest level, 4 x 4 of them in Morton order.
+// m of the facets of one cell of the finest level, 4 x 4 of them in Morton order, and how far each one's
+// patch spreads: `share` times the spread, which is the mass but where the patch would reach past the lobe's
+// horizon.
 struct LeafBlock {
-    double x[16], y[16], z[16];
+    double x[16], y[16], z[16], share[16];
+    Spread spread;
 };
 
 // A quadtree over a square of facets. Block i holds the children of node i, node 0 being the root. Node

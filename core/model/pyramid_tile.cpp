@@ -37,12 +37,14 @@ int every_second_bit(std::size_t index) {
 // The cell of 16 facets, their moments put into `leaf`.
 PyramidCell leaf_cell(const Facet* facets, LeafBlock& leaf, double& mass) {
     PyramidCell cell;
+    const double depth = std::max(std::sqrt(leaf.spread.zz), 1e-300);
     double kept = 0;
     for (std::size_t i = 0; i < 16; ++i) {
         const dvec3 moment = facets[i].mass * facets[i].h;
         leaf.x[i] = moment.x;
         leaf.y[i] = moment.y;
         leaf.z[i] = moment.z;
+        leaf.share[i] = facets[i].mass * std::min(1.0, std::fabs(facets[i].h.z) / depth);
         if (facets[i].mass <= 0) continue;
         mass += facets[i].mass;
         cell.moment += moment;
@@ -56,7 +58,8 @@ PyramidCell leaf_cell(const Facet* facets, LeafBlock& leaf, double& mass) {
         const dvec3 away = facets[i].h - cell.centre;
         if (facets[i].mass > 0) square = std::max(square, glm::dot(away, away));
     }
-    cell.radius = std::sqrt(square);
+    const Spread& spread = leaf.spread;
+    cell.radius = std::sqrt(square) + std::sqrt(spread.xx + spread.yy + spread.zz);
     return cell;
 }
 
@@ -75,12 +78,23 @@ void put_cell(const PyramidCell& cell, std::size_t place, MomentBlock& moments, 
     balls.radius[place] = cell.radius < 0 ? -1.0F : static_cast<float>(cell.radius * (1 + 1e-6) + 1e-6);
 }
 
-PyramidTile make_tile(const std::vector<Facet>& facets) {
+double visible_area(const LeafBlock& leaf, std::size_t facet, dvec3 k) {
+    const Spread& s = leaf.spread;
+    const double seen = glm::dot(k, moment_at(leaf, facet));
+    const double square = s.xx * k.x * k.x + s.yy * k.y * k.y + s.zz * k.z * k.z +
+                          2 * (s.xy * k.x * k.y + s.xz * k.x * k.z + s.yz * k.y * k.z);
+    const double a = leaf.share[facet] * std::sqrt(std::max(square, 0.0)), rest = a - std::fabs(seen);
+    return std::max(seen, 0.0) + (rest > 0 ? rest * (rest / a) * (rest / a) / 6 : 0);
+}
+
+PyramidTile make_tile(const std::vector<Facet>& facets, const std::vector<Spread>& spreads) {
     PyramidTile tile;
     tile.leaves.resize(facets.size() / 16);
     std::vector<PyramidCell> cells(tile.leaves.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        tile.leaves[i].spread = spreads[i];
         cells[i] = leaf_cell(&facets[16 * i], tile.leaves[i], tile.mass);
+    }
     tile.balls.resize((cells.size() - 1) / 3);
     tile.moments.resize(tile.balls.size());
     for (std::size_t blocks = cells.size() / 4; blocks > 0; blocks /= 4) {

@@ -5,8 +5,11 @@
 
 namespace nacre {
 
-// `facets` in Morton order, a power of four of them, at least 16.
-PyramidTile make_tile(const std::vector<Facet>& facets);
+// `facets` in Morton order, a power of four of them, at least 16, and the spread of each sixteen.
+PyramidTile make_tile(const std::vector<Facet>& facets, const std::vector<Spread>& spreads);
+
+// What k sees of one facet of a leaf, |k| = 1.
+double visible_area(const LeafBlock& leaf, std::size_t facet, dvec3 k);
 
 // Puts a cell at place 0 to 3 of a block; the ball grows by the rounding to float.
 void put_cell(const PyramidCell& cell, std::size_t place, MomentBlock& moments, BallBlock& balls);

@@ -1,6 +1,7 @@
 // A smooth lobe as a grid of facets.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,17 +9,26 @@
 
 namespace nacre {
 
-// The facet that stands for cell (row, column) of side x side cells of a span, of equal solid angle in its
-// h'.
-inline Facet span_facet(const LobeModel& lobe, const LobeSpan& span, int side, int row, int column) {
-    const double patch = 2 * std::numbers::pi / side / side * span.stretch.x * span.stretch.y;
-    const double t = (row + 0.5) / side, s = std::sqrt(1 - t * t);
-    const double psi = 2 * std::numbers::pi * (column + 0.5) / side;
+// A direction of a span and the solid angle there for one of (t, psi): the cosine of h' and its azimuth.
+struct SpanPoint {
+    dvec3 h;
+    double solid_angle;
+};
+
+inline SpanPoint span_point(const LobeSpan& span, double t, double psi) {
+    const double s = std::sqrt(std::max(1 - t * t, 0.0));
     const dvec3 stretched{span.stretch.x * s * std::cos(psi), span.stretch.y * s * std::sin(psi), t};
     const double length = glm::length(stretched);
     dvec3 h = stretched / length;
     h.z *= span.flip;
-    return {h, lobe.density(h) * patch / (length * length * length)};
+    return {h, span.stretch.x * span.stretch.y / (length * length * length)};
+}
+
+// The facet that stands for cell (row, column) of side x side cells of a span, of equal solid angle in its
+// h'.
+inline Facet span_facet(const LobeModel& lobe, const LobeSpan& span, int side, int row, int column) {
+    const SpanPoint at = span_point(span, (row + 0.5) / side, 2 * std::numbers::pi * (column + 0.5) / side);
+    return {at.h, lobe.density(at.h) * at.solid_angle * 2 * std::numbers::pi / side / side};
 }
 
 }  // namespace nacre

@@ -1,9 +1,10 @@
 #include "core/model/surface.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "core/model/disk_texels.h"
 #include "core/model/isotropic_lobe.h"
 
 namespace nacre {
@@ -37,18 +38,19 @@ int append(std::vector<float>& data, const std::vector<float>& values) {
     return offset;
 }
 
-// A picture's texels over a power of two that brings the brightest into [1, 2): the digits stay, and neither
-// the texels nor a layer's scale leave a float's range whatever unit the picture is in.
+// A picture's texels as they are read, over a power of two that brings the brightest into [1, 2): the digits
+// stay, and neither the texels nor a layer's scale leave a float's range whatever unit the picture is in.
 struct BroughtNearOne {
     std::vector<float> texels;
     double unit;  // picture = unit * texels
 };
 
 BroughtNearOne brought_near_one(const Raster& raster) {
-    const float largest = *std::max_element(raster.values.begin(), raster.values.end());
-    if (!(largest > 0)) return {raster.values, 1};
+    std::vector<float> texels = extended_past_rim(raster).values;
+    const float largest = largest_on_disk(raster);
+    if (!(largest > 0)) return {std::move(texels), 1};
     const int exponent = std::ilogb(largest);
-    BroughtNearOne result{raster.values, std::scalbn(1.0, exponent)};
+    BroughtNearOne result{std::move(texels), std::scalbn(1.0, exponent)};
     for (float& texel : result.texels) texel = std::scalbn(texel, -exponent);
     return result;
 }

@@ -9,6 +9,7 @@
 
 #include "core/design/error.h"
 #include "core/model/facet_distribution.h"
+#include "core/model/picture_lobe.h"
 #include "core/model/span_facet.h"
 #include "core/paint/lobe_handles.h"
 #include "core/paint/painted_layer.h"
@@ -56,7 +57,8 @@ Tilted tilted(const std::vector<Facet>& facets, dvec2 lambda) {
 struct Member {
     std::size_t layer;
     double weight;              // share of all facets
-    std::vector<Facet> facets;  // of a painted layer, in the surface's frame
+    std::vector<Facet> texels;  // of a painted layer at a value of 1, in the surface's frame
+    std::vector<Facet> facets;  // of a painted layer, those of its texels that hold some
     dvec3 whole_mean{0};        // of any other: <h>, of length 1 at most
     Tilted still;               // the same along the surface, with the lobe's covariance
 
@@ -79,16 +81,28 @@ std::vector<Facet> facets_of(const PlacedLobe& placed) {
     return facets;
 }
 
+void add_texels(Member& member, const Layer& layer, const PlacedLobe& placed) {
+    const Raster& raster = *std::get<PaintedLobe>(layer.lobe).image.raster;
+    member.texels = texel_facets(raster, layer.modulation);
+    for (std::size_t i = 0; i < member.texels.size(); ++i) {
+        Facet& texel = member.texels[i];
+        texel.h = placed.frame * texel.h;
+        const double mass = texel.mass * static_cast<double>(raster.values[i]);
+        if (mass > 0) member.facets.push_back({texel.h, mass});
+    }
+}
+
 std::vector<Member> members_of(const Distribution& distribution, const FacetDistribution& p) {
     std::vector<Member> members;
     for (const PlacedLobe& placed : p.lobes()) {
-        Member member{placed.layer, placed.scale * placed.lobe->mass(), facets_of(placed), {}, {}};
-        if (!std::holds_alternative<PaintedLobe>(distribution.layers[placed.layer].lobe)) {
-            member.still = tilted(member.facets, dvec2(0));
+        Member member{placed.layer, placed.scale * placed.lobe->mass(), {}, {}, {}, {}};
+        if (std::holds_alternative<PaintedLobe>(distribution.layers[placed.layer].lobe)) {
+            add_texels(member, distribution.layers[placed.layer], placed);
+        } else {
+            member.still = tilted(facets_of(placed), dvec2(0));
             member.whole_mean = placed.frame * (placed.lobe->mean() / placed.lobe->mass());
             member.still.mean = along_surface(member.whole_mean);
             if (glm::length(member.whole_mean) < directed) member.still = {};
-            member.facets.clear();
         }
         members.push_back(std::move(member));
     }
@@ -174,31 +188,27 @@ void settle(std::vector<float>& values, const std::vector<dvec2>& along) {
 }
 
 // The picture times the factor, with its largest value as it was.
-void reweight(Layer& layer, const PlacedLobe& placed, dvec2 lambda, dvec2 mean) {
+void reweight(Layer& layer, const Member& member, dvec2 lambda, dvec2 mean) {
     auto& picture = std::get<PaintedLobe>(layer.lobe).image;
-    const Raster& before = *picture.raster;
-    auto after = std::make_shared<Raster>(before);
-    std::vector<dvec2> along(before.values.size());  // of each texel from the mean, for a value of 1
-    std::vector<double> logs(before.values.size(), -HUGE_VAL);
+    auto after = std::make_shared<Raster>(*picture.raster);
+    std::vector<dvec2> along(after->values.size());  // of each texel from the mean, for a value of 1
+    std::vector<double> logs(after->values.size(), -HUGE_VAL);
     double highest_before = 0, highest = -HUGE_VAL;
     for (std::size_t i = 0; i < logs.size(); ++i) {
-        const double value = static_cast<double>(before.values[i]);
-        if (!(value > 0)) continue;
-        const int row = static_cast<int>(i) / before.width, column = static_cast<int>(i) % before.width;
-        const glm::dvec2 point = texel_point(before.width, row, column);
-        if (glm::dot(point, point) >= 2) continue;  // a corner of the picture, beyond the nadir
-        const dvec3 h = disk_direction(point);
-        const dvec2 there = along_surface(placed.frame * h);
-        const double modulation = layer.modulation ? placed.lobe->density(h) / value : 1;
-        if (holds_facets(point)) along[i] = modulation * (there - mean);
+        const double value = static_cast<double>(after->values[i]);
+        const Facet& texel = member.texels[i];
+        if (!(value > 0) || !(texel.mass > 0)) continue;
+        const dvec2 there = along_surface(texel.h);
+        along[i] = texel.mass * (there - mean);
         logs[i] = std::log(value) + glm::dot(lambda, there);
         highest_before = std::max(highest_before, value);
         highest = std::max(highest, logs[i]);
     }
     for (std::size_t i = 0; i < logs.size(); ++i)
-        after->values[i] = static_cast<float>(highest_before * std::exp(logs[i] - highest));
+        if (member.texels[i].mass > 0)
+            after->values[i] = static_cast<float>(highest_before * std::exp(logs[i] - highest));
     settle(after->values, along);
-    picture = {{}, std::move(after)};
+    picture = {{}, std::make_shared<const Raster>(extended_past_rim(*after))};
 }
 
 // The lobe turned so that its mean normal has another part along the surface.
@@ -253,7 +263,7 @@ Distribution balanced(const Distribution& distribution) {
         if (member.facets.empty())
             lean_to(layer, member, part.mean);
         else
-            reweight(layer, p.lobes()[i], lambda, part.mean);
+            reweight(layer, member, lambda, part.mean);
     }
     share_out(result, layers, shares);
     if (!(off_n(FacetDistribution(result)) < balanced_to))

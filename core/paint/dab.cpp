@@ -50,7 +50,9 @@ class Smoother {
 class Smear {
   public:
     Smear(const Raster& raster, const Dab& dab)
-        : before_(raster.values), side_(raster.width), ring_(dab.symmetry.kind == SymmetryKind::ring) {
+        : before_(extended_past_rim(raster).values),
+          side_(raster.width),
+          ring_(dab.symmetry.kind == SymmetryKind::ring) {
         dvec3 from = dab.from;
         if (ring_) {  // only the way from or to the pole counts
             const double sine = std::hypot(dab.at.x, dab.at.y), r = std::hypot(from.x, from.y);

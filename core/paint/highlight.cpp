@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "core/paint/brush.h"
@@ -48,19 +47,16 @@ std::shared_ptr<const Raster> Highlight::carried(dvec3 to) const {
     const int side = part_.width;
     auto result = std::make_shared<Raster>(rest_);
     const glm::dmat3 back = shortest_rotation(to, at_);
-    std::vector<std::pair<std::size_t, double>> moved;
-    double sum = 0;
+    const Raster part = extended_past_rim(part_);
+    Raster moved{side, side, std::vector<float>(part.values.size())};
     visit_texels(side, to, reach_ + 4.0 / side, [&](std::size_t index, dvec3 h) {
-        const dvec3 source = back * h;
-        const double value = raster_value(part_.values, side, disk_point(source));
-        if (!(value > 0)) return;
-        moved.emplace_back(index, value);
-        if (h.z > 0) sum += value;
+        moved.values[index] = static_cast<float>(raster_value(part.values, side, disk_point(back * h)));
     });
-    if (!(sum > 0)) return nullptr;
-    const double factor = raster_mass(part_) / (sum * texel_solid_angle(side));
+    const double mass = raster_mass(moved);
+    if (!(mass > 0)) return nullptr;
+    const double factor = raster_mass(part_) / mass;
     std::vector<double> sums(result->values.begin(), result->values.end());
-    for (const auto& [index, value] : moved) sums[index] += factor * value;
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += factor * static_cast<double>(moved.values[i]);
     const double unit = std::max(1.0, *std::max_element(sums.begin(), sums.end()));
     std::transform(sums.begin(), sums.end(), result->values.begin(),
                    [&](double value) { return static_cast<float>(value / unit); });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/model/disk_texels.h"
+
 namespace nacre {
 namespace {
 
@@ -14,11 +16,12 @@ std::size_t cell_index(int row, int column) {
     return static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column);
 }
 
-// The mean of each cell's texels.
+// The mean of each cell's texels on the disk.
 std::vector<double> coarse(const Raster& raster) {
     std::vector<double> sum(cell_index(side, 0)), count(sum.size());
     for (int row = 0; row < raster.height; ++row)
         for (int column = 0; column < raster.width; ++column) {
+            if (!on_disk(raster.width, row, column)) continue;
             const std::size_t cell = cell_index(row * side / raster.height, column * side / raster.width);
             sum[cell] += static_cast<double>(
                 raster.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.width) +

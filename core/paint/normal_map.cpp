@@ -13,15 +13,24 @@ namespace {
 constexpr double facets_most = 50;  // that one normal stands for
 constexpr double reach = 3;         // of the smoothing, in standard deviations
 
-// Bilinear, so that few normals do not leave a pattern of texels.
+// Bilinear, so that few normals do not leave a pattern of texels. What falls to a texel off the disk goes to
+// those that it is read from.
 void add_facets(std::vector<double>& sums, dvec3 n) {
     const glm::dvec2 at = disk_point(n);
     const double column = (at.x + 1) / 2 * painted_side - 0.5, row = (1 - at.y) / 2 * painted_side - 0.5;
     const double j = std::floor(column), i = std::floor(row), s = column - j, t = row - i;
     const double facets = std::min(1 / n.z, facets_most);
     const auto add = [&](double r, double c, double share) {
-        if (r < 0 || c < 0 || r >= painted_side || c >= painted_side) return;
-        sums[static_cast<std::size_t>(r) * painted_side + static_cast<std::size_t>(c)] += share * facets;
+        const int down = std::clamp(static_cast<int>(r), 0, painted_side - 1);
+        const int right = std::clamp(static_cast<int>(c), 0, painted_side - 1);
+        if (on_disk(painted_side, down, right)) {
+            sums[static_cast<std::size_t>(down) * painted_side + static_cast<std::size_t>(right)] +=
+                share * facets;
+            return;
+        }
+        const TexelSources sources = texel_sources(painted_side, down, right);
+        for (int k = 0; k < sources.count; ++k)
+            sums[sources.index[static_cast<std::size_t>(k)]] += share * facets / sources.count;
     };
     add(i, j, (1 - s) * (1 - t));
     add(i, j + 1, s * (1 - t));

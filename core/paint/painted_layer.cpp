@@ -13,7 +13,7 @@ namespace {
 constexpr float faint = 1e-3f;
 
 std::shared_ptr<const Raster> in_paint_unit(const std::shared_ptr<const Raster>& given) {
-    const float largest = *std::max_element(given->values.begin(), given->values.end());
+    const float largest = largest_on_disk(*given);
     if (!(largest > 0) || (largest >= faint && largest <= 1)) return given;
     auto scaled = std::make_shared<Raster>(*given);
     for (float& value : scaled->values) value = std::min(value / largest, 1.0f);
@@ -41,13 +41,14 @@ std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe) {
     auto finer = std::make_shared<Raster>();
     finer->width = finer->height = painted_side;
     finer->values.reserve(std::size_t{painted_side} * painted_side);
+    const Raster read = extended_past_rim(*given);
     // Beyond the outermost middles a picture keeps their values, as shaders read it.
     const double inside = 1 - 1.0 / given->width;
     for (int row = 0; row < painted_side; ++row)
         for (int column = 0; column < painted_side; ++column) {
             const glm::dvec2 at = texel_point(painted_side, row, column);
-            finer->values.push_back(static_cast<float>(
-                raster_value(given->values, given->width, glm::clamp(at, -inside, inside))));
+            finer->values.push_back(
+                static_cast<float>(raster_value(read.values, given->width, glm::clamp(at, -inside, inside))));
         }
     return finer;
 }
@@ -56,17 +57,6 @@ dvec3 above_horizon(dvec3 h) {
     if (h.z >= 0) return h;
     const double sine = std::hypot(h.x, h.y);
     return sine > 0 ? dvec3(h.x / sine, h.y / sine, 0) : dvec3(1, 0, 0);
-}
-
-double raster_mass(const Raster& raster) {
-    double sum = 0;
-    for (int row = 0; row < raster.height; ++row) {
-        const float* values = &raster.values[static_cast<std::size_t>(row * raster.width)];
-        for (int column = 0; column < raster.width; ++column)
-            if (values[column] > 0 && holds_facets(texel_point(raster.width, row, column)))
-                sum += static_cast<double>(values[column]);
-    }
-    return sum * texel_solid_angle(raster.width);
 }
 
 void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/design/design.h"
+#include "core/model/disk_texels.h"
 #include "core/model/lobe.h"
 
 namespace nacre {
@@ -20,12 +21,9 @@ std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe);
 // The same direction, or the nearest on the horizon for one below it.
 dvec3 above_horizon(dvec3 h);
 
-// Integral over the hemisphere, steradians times the values' unit.
-double raster_mass(const Raster& raster);
-
 // Gives the layer another raster, and the weight with which a value of the raster goes on meaning as many
-// facets as before: paint adds facets and takes none from elsewhere in the layer. `mass` is raster_mass() of
-// the raster that it has; the first paint of a blank layer gets `first_weight`. A layer is enabled by its
+// facets as before: paint adds facets and takes none from elsewhere in the layer. `mass` is raster_mass()
+// of the raster that it has; the first paint of a blank layer gets `first_weight`. A layer is enabled by its
 // first paint, and left out when the last is erased.
 void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight);
 

@@ -5,23 +5,14 @@
 #include <cmath>
 
 #include "core/design/design.h"
-#include "core/model/disk.h"
+#include "core/model/disk_texels.h"
 
 namespace nacre {
 
 inline constexpr int painted_side = 512;  // texels a side of a layer that is painted on
 
-// The middle of a texel on the equal-area disk. Mirrored texels have mirrored middles to the bit where the
-// side is a power of two.
-inline glm::dvec2 texel_point(int side, int row, int column) {
-    return {2 * (column + 0.5) / side - 1, 1 - 2 * (row + 0.5) / side};
-}
-
-// Solid angle of a texel, steradians.
-inline double texel_solid_angle(int side) { return 2 * (2.0 / side) * (2.0 / side); }
-
-// Texels whose middle lies inside the horizon hold facets. Those just beyond it hold none, but p is bilinear
-// between middles: they are painted too, or the rim would fade.
+// Texels whose middle lies inside the horizon hold facets. Those just beyond it are painted too, as the
+// picture would go on there, though p takes nothing from them.
 inline bool holds_facets(glm::dvec2 at) { return glm::dot(at, at) < 1; }
 
 // Calls visit(index, h) for every texel within `reach` (radians) of the unit vector `middle`, some farther

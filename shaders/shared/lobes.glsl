@@ -62,13 +62,12 @@ real curve_density(real3 h, int offset, int size) READS {
 #endif
 
 #if HAS_PAINTED || HAS_MODULATION
-// A picture of the upper hemisphere seen from above, the equal-area disk x = hx/sqrt(1+hz) that touches
-// the four sides, +x right, +y up, top row first; bilinear between texel centres, 0 below the hemisphere.
-real picture_value(real3 h, int offset, int size) READS {
-    real radius = sqrt(real(1.0) / (real(1.0) + max(h.z, real(0.0))));
+// A picture at a place of the disk that touches its four sides, +x right, +y up, top row first; bilinear between texel
+// centres and flat beyond the outermost. Texels off the disk hold what lies beside them on it (docs/mathematics.md).
+real picture_at(real x, real y, int offset, int size) READS {
     real n = real(size);
-    real column = clamp(real(0.5) * (real(1.0) + h.x * radius) * n - real(0.5), real(0.0), n - real(1.0));
-    real row = clamp(real(0.5) * (real(1.0) - h.y * radius) * n - real(0.5), real(0.0), n - real(1.0));
+    real column = clamp(real(0.5) * (real(1.0) + x) * n - real(0.5), real(0.0), n - real(1.0));
+    real row = clamp(real(0.5) * (real(1.0) - y) * n - real(0.5), real(0.0), n - real(1.0));
     integer i0 = integer(column);
     integer j0 = integer(row);
     integer i1 = min(i0 + 1, size - 1);
@@ -77,7 +76,13 @@ real picture_value(real3 h, int offset, int size) READS {
     real t = row - real(j0);
     real top = fetch(offset + j0 * size + i0) * (real(1.0) - s) + fetch(offset + j0 * size + i1) * s;
     real bottom = fetch(offset + j1 * size + i0) * (real(1.0) - s) + fetch(offset + j1 * size + i1) * s;
-    return select(h.z > real(0.0), top * (real(1.0) - t) + bottom * t, real(0.0));
+    return top * (real(1.0) - t) + bottom * t;
+}
+
+// The upper hemisphere seen from above, the equal-area disk x = hx/sqrt(1+hz); 0 below it.
+real picture_value(real3 h, int offset, int size) READS {
+    real radius = sqrt(real(1.0) / (real(1.0) + max(h.z, real(0.0))));
+    return select(h.z > real(0.0), picture_at(h.x * radius, h.y * radius, offset, size), real(0.0));
 }
 #endif
 

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/model/moment_pyramid.h"
+#include "core/model/picture_lobe.h"
+#include "core/model/picture_reader.h"
+#include "core/model/span_facet.h"
+#include "core/model/texel_tents.h"
+
+namespace nacre {
+namespace {
+
+// The base lobe's own coordinates carry the facets, so that a narrow lobe is resolved whatever the picture's
+// size.
+class Modulated final : public LobeModel {
+  public:
+    Modulated(std::shared_ptr<const LobeModel> base, const Modulation& modulation, Fineness fineness)
+        : base_(std::move(base)),
+          factor_(modulation),
+          side_(fineness == Fineness::bake ? 128 : 512),
+          pieces_a_texel_(fineness == Fineness::bake ? 1 : 2) {
+        for (const LobeSpan& span : base_->spans()) pyramids_.push_back(make_pyramid(span));
+    }
+
+    double density(dvec3 h) const override { return base_->density(h) * factor_(h); }
+
+    double mass() const override {
+        double sum = 0;
+        for (const MomentPyramid& pyramid : pyramids_) sum += pyramid.mass();
+        return sum;
+    }
+
+    Area area(dvec3 k) const override {
+        Area sum;
+        for (const MomentPyramid& pyramid : pyramids_) {
+            const Area part = pyramid.area(k);
+            sum.g += part.g;
+            sum.gradient += part.gradient;
+        }
+        return sum;
+    }
+
+    double projected_area(dvec3 k) const override {
+        double sum = 0;
+        for (const MomentPyramid& pyramid : pyramids_) sum += pyramid.projected_area(k);
+        return sum;
+    }
+
+    dvec3 mean() const override {
+        dvec3 sum{0};
+        for (const MomentPyramid& pyramid : pyramids_) sum += pyramid.mean();
+        return sum;
+    }
+
+    std::vector<LobeSpan> spans() const override { return {}; }
+    std::vector<LobeSpan> domains() const override { return base_->domains(); }
+
+    std::vector<Facet> facets(std::size_t count) const override {
+        std::vector<Facet> all;
+        for (const MomentPyramid& pyramid : pyramids_) {
+            const std::vector<Facet> part = pyramid.facets(count);
+            all.insert(all.end(), part.begin(), part.end());
+        }
+        return all;
+    }
+
+    void visit_points(const std::function<void(const Facet&)>& visit) const override {
+        for (const LobeSpan& span : base_->spans())
+            for (int row = 0; row < side_; ++row)
+                for (int column = 0; column < side_; ++column)
+                    visit_cell(span, row, column, [&](dvec3 h, double mass) {
+                        if (mass > 0) visit({h, mass});
+                    });
+    }
+
+    dvec3 sample_visible(dvec3 k, Random& random) const override {
+        for (;;) {
+            const dvec3 h = base_->sample_visible(k, random);
+            if (uniform_random(random) * factor_.peak() < factor_(h)) return h;
+        }
+    }
+
+  private:
+    static constexpr int pieces_most = 16;  // of a cell around the axis
+
+    // Two of Gauss's points in each of so many pieces of [0, 1].
+    static double place(int i, int pieces) {
+        const double off = (i % 2 == 0 ? -0.5 : 0.5) * std::numbers::inv_sqrt3;
+        return (i / 2 + 0.5 + off) / pieces;
+    }
+
+    // Pieces no broader than the picture's texels.
+    int pieces_between(dvec3 a, dvec3 b) const {
+        if (a.z < 0 && b.z < 0) return 1;
+        const double pieces =
+            pieces_a_texel_ * 0.5 * factor_.side() * glm::length(disk_point(a) - disk_point(b));
+        return std::clamp(static_cast<int>(std::ceil(pieces)), 1, pieces_most);
+    }
+
+    // t from low to high on the great circle at psi, cut where p has a corner: at the lobe's own, and where
+    // the circle, on the disk a straight line from its middle, crosses the lines between middles of texels.
+    void cut_line(const LobeSpan& span, double low, double high, double psi,
+                  std::vector<double>& cuts) const {
+        cuts = {low, high};
+        const auto add = [&](double t) {
+            if (t > low && t < high) cuts.push_back(t);
+        };
+        for (const double angle : span.breaks) add(std::cos(angle));
+        const dvec2 along(span.stretch.x * std::cos(psi), span.stretch.y * std::sin(psi));
+        const double stretch = glm::length(along);
+        const auto radius = [&](double t) {  // of the disk: 1 - h.z = r^2
+            const double rise = stretch * std::sqrt(std::max(1 - t * t, 0.0));
+            return std::sqrt(std::max(1 - t / std::hypot(t, rise), 0.0));
+        };
+        const double from = radius(high), to = radius(low);
+        const int side = factor_.side();
+        for (const double slope : {std::fabs(along.x) / stretch, std::fabs(along.y) / stretch}) {
+            if (slope < 1e-12 || span.flip < 0) continue;
+            // Middles lie at (2 i + even)/side.
+            const double even = side % 2 == 0 ? 1 : 0;
+            for (double i = std::ceil((from * slope * side - even) / 2); 2 * i + even < to * slope * side;
+                 ++i) {
+                const double r = (2 * i + even) / side / slope, z = 1 - r * r;
+                if (r > 0 && z > 0) add(stretch * z / std::sqrt(stretch * stretch * z * z + 1 - z * z));
+            }
+        }
+        std::sort(cuts.begin(), cuts.end());
+    }
+
+    // visit(its h, its mass) for the points of a cell.
+    template <class Visit>
+    void visit_cell(const LobeSpan& span, int row, int column, const Visit& visit) const {
+        const double turn = 2 * std::numbers::pi / side_;
+        const double low = static_cast<double>(row) / side_, high = (row + 1.0) / side_;
+        const auto corner = [&](double t, int c) { return span_point(span, t, c * turn).h; };
+        const int columns = std::max(pieces_between(corner(low, column), corner(low, column + 1)),
+                                     pieces_between(corner(high, column), corner(high, column + 1)));
+        std::vector<double> cuts;
+        for (int j = 0; j < 2 * columns; ++j) {
+            const double psi = turn * (column + place(j, columns));
+            cut_line(span, low, high, psi, cuts);
+            for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+                for (int point = 0; point < 2; ++point) {
+                    const double length = cuts[i + 1] - cuts[i];
+                    const SpanPoint at = span_point(span, cuts[i] + length * place(point, 1), psi);
+                    visit(at.h, density(at.h) * at.solid_angle * turn * length / (4.0 * columns));
+                }
+        }
+    }
+
+    Facet cell(const LobeSpan& span, int row, int column) const {
+        Facet sum{dvec3{0}, 0};
+        visit_cell(span, row, column, [&](dvec3 h, double mass) {
+            sum.h += mass * h;
+            sum.mass += mass;
+        });
+        if (sum.mass > 0) sum.h /= sum.mass;
+        return sum;
+    }
+
+    // A cell is a box; a tent with its second moments is 1/sqrt(2) as wide, to either side.
+    Spread spread_of(const LobeSpan& span, double row, double column) const {
+        const auto h = [&](double r, double c) {
+            return span_point(span, std::clamp(r / side_, 0.0, 1.0), 2 * std::numbers::pi * c / side_).h;
+        };
+        const double half = 0.5, part = 1 / std::numbers::sqrt2;
+        Spread spread = spread_along(part * (h(row + half, column) - h(row - half, column)));
+        spread += spread_along(part * (h(row, column + half) - h(row, column - half)));
+        return spread;
+    }
+
+    MomentPyramid make_pyramid(const LobeSpan& span) const {
+        return MomentPyramid(
+            side_, [&](int i, int j) { return cell(span, i, j); },
+            [&](double row, double column) { return spread_of(span, row, column); });
+    }
+
+    std::shared_ptr<const LobeModel> base_;
+    ModulationFactor factor_;
+    int side_;  // cells a side of a span
+    int pieces_a_texel_;
+    std::vector<MomentPyramid> pyramids_;
+};
+
+}  // namespace
+
+std::shared_ptr<const LobeModel> make_modulated_lobe(std::shared_ptr<const LobeModel> base,
+                                                     const Modulation& modulation, Fineness fineness) {
+    return std::make_shared<Modulated>(std::move(base), modulation, fineness);
+}
+
+}  // namespace nacre
