@@ -103,12 +103,17 @@ void draw_panel(Designer& designer) {
     ImGui::EndTabBar();
 }
 
+void tell(Designer& designer, const std::optional<std::string>& message) {
+    if (message) designer.files.tell(*message);
+}
+
 // The tools of the canvas work on the sphere too, but for the handles: those leave the light to the pointer.
 void draw_preview(Designer& designer) {
     Scene& scene = designer.scene;
     const bool shows_model = designer.comparison.shows_model();
     if (shows_model && is_factor(scene.term)) scene.term = Term::total;
     designer.objects.draw(scene, file_dialogs(designer));
+    tell(designer, designer.objects.take_note());
     ui::term_bar(scene.term, !shows_model);
     const Design shown = shown_design(designer);
     designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);
@@ -188,10 +193,6 @@ void prepare_dialogs(Designer& designer) {
                              .home = designer.options.folders.home});
     designer.exporter.remember(&designer.settings.values, dialogs);
     designer.pictures_of_preview.remember(&designer.settings.values, dialogs);
-}
-
-void tell(Designer& designer, const std::optional<std::string>& message) {
-    if (message) designer.files.tell(*message);
 }
 
 // One at a time.
