@@ -24,11 +24,13 @@ enum class PictureShape {
 Raster load_picture(const std::filesystem::path& file, const std::string& error_file,
                     const std::string& error_where, PictureShape shape = PictureShape::square);
 
-// Three numbers a pixel as they are stored, integers over their largest value; a grey is repeated. Rows from
-// the top. Of any shape.
+// Three numbers a pixel as they are stored, integers over their largest value, without regard to alpha; a
+// grey is repeated. Upright, rows from the top. Of any shape.
 struct ColourPicture {
     int width = 0, height = 0;
     std::vector<glm::vec3> colours;
+    int channels = 3;     // of colour that the file has: 1 grey, 2 red and green with no blue (0 here), or 3
+    bool encoded = true;  // integers in [0, 1]; else floats of any sign
 };
 
 // For pictures that are no looks but data, such as normals. A UserError of the picture itself.

@@ -194,18 +194,20 @@ Raster read_picture(const fs::path& file, PictureShape shape) {
 }
 
 ColourPicture read_colours(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
-    const int channels = spec.nchannels >= 3 ? 3 : 1;
+    const int alpha = spec.nchannels > 1 && spec.alpha_channel == spec.nchannels - 1 ? 1 : 0;
+    const int channels = std::min(spec.nchannels - alpha, 3);
     const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     std::vector<float> pixels(count * static_cast<std::size_t>(channels));
     const bool read = input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, pixels.data());
     if (!read || input.has_error()) throw PictureProblem(reason_of(input));
     if (!std::all_of(pixels.begin(), pixels.end(), [](float value) { return std::isfinite(value); }))
         throw PictureProblem("a pixel is not finite");
-    ColourPicture picture{spec.width, spec.height, {}};
+    ColourPicture picture{spec.width, spec.height, {}, channels, !spec.format.is_floating_point()};
     for (std::size_t i = 0; i < count; ++i) {
         const float* pixel = &pixels[i * static_cast<std::size_t>(channels)];
-        picture.colours.push_back(channels == 3 ? glm::vec3(pixel[0], pixel[1], pixel[2])
-                                                : glm::vec3(pixel[0]));
+        picture.colours.push_back(channels == 1
+                                      ? glm::vec3(pixel[0])
+                                      : glm::vec3(pixel[0], pixel[1], channels == 3 ? pixel[2] : 0));
     }
     return picture;
 }
