@@ -13,7 +13,7 @@ namespace nacre {
 
 namespace fs = std::filesystem;
 
-std::string input_file_problem(const fs::path& file) {
+std::string input_file_problem(const fs::path& file, std::uintmax_t most) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (error) return error.message();
@@ -21,8 +21,7 @@ std::string input_file_problem(const fs::path& file) {
     if (!fs::is_regular_file(status)) return "not a regular file";
     const std::uintmax_t size = fs::file_size(file, error);
     if (error) return error.message();
-    if (size > limits::file_bytes_max)
-        return fmt::format("{} bytes, more than the {} that are read", size, limits::file_bytes_max);
+    if (size > most) return fmt::format("{} bytes, more than the {} that are read", size, most);
     errno = 0;
     if (!std::ifstream(file)) return std::generic_category().message(errno);
     return {};

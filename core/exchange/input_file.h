@@ -6,10 +6,13 @@
 #include <filesystem>
 #include <string>
 
+#include "core/design/design.h"
+
 namespace nacre {
 
-// Why `file` cannot be read, or an empty text.
-std::string input_file_problem(const std::filesystem::path& file);
+// Why `file` cannot be read, or an empty text; `most` bytes are.
+std::string input_file_problem(const std::filesystem::path& file,
+                               std::uintmax_t most = limits::file_bytes_max);
 
 // The whole file. What is wrong is a UserError about `file`, at `open` or `read`.
 std::string read_text_file(const std::filesystem::path& file);
