@@ -1,8 +1,10 @@
 #include "app/cli/output.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
 
 #include "core/design/error.h"
@@ -19,6 +21,10 @@ void write_output(std::string_view text) {
                             std::generic_category().message(errno));
         text.remove_prefix(static_cast<std::size_t>(written));
     }
+}
+
+void warn(std::string_view about, std::string_view message) {
+    fmt::print(stderr, "nacre-cli: {}\n", one_line(fmt::format("{}: {}", about, message)));
 }
 
 bool output_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }

@@ -17,4 +17,7 @@ void write_output(std::string_view text);
 
 bool output_is_terminal();
 
+// One line on standard error about what is done nonetheless.
+void warn(std::string_view about, std::string_view message);
+
 }  // namespace nacre::cli

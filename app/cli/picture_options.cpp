@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/cli/output.h"
 #include "core/exchange/environment_file.h"
 #include "core/light/procedural.h"
 
@@ -42,6 +43,7 @@ Scene SceneOptions::scene() const {
     }
     scene.exposure = exposure;
     scene.object = make_object(object);
+    if (!scene.object.note.empty()) warn(object, scene.object.note);
     if (!environment.empty())
         scene.environment = {load_environment(environment), rotation, brightness, backdrop,
                              !name.empty() || !light.empty()};

@@ -116,6 +116,7 @@ void draw_preview(Designer& designer) {
     const bool shows_model = designer.comparison.shows_model();
     if (shows_model && is_factor(scene.term)) scene.term = Term::total;
     designer.objects.draw(scene, file_dialogs(designer));
+    if (const auto note = designer.objects.take_note()) designer.files.tell(*note);
     ui::term_bar(scene.term, !shows_model);
     const Design shown = shown_design(designer);
     designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);

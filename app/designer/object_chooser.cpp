@@ -41,6 +41,8 @@ bool choice(const char* label, const char* tooltip, bool chosen) {
 void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialogs) {
     if (auto made = shelf_.poll(); made && made->name == shelf_.wanted()) {
         scene.object = std::move(*made);
+        if (!scene.object.note.empty())
+            note_ = fs::path(scene.object.name).filename().string() + ": " + scene.object.note;
         reset_camera(scene);
     }
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;

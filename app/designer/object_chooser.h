@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "app/designer/file_chooser.h"
 #include "app/designer/object_shelf.h"
@@ -17,6 +19,9 @@ class ObjectChooser {
     // The row, in the current Dear ImGui window. Takes what has been made into the scene. `dialogs` asks for
     // a file where one is wanted.
     void draw(Scene& scene, const std::optional<DialogProgram>& dialogs);
+
+    // What of the file just shown was left out or made up, once.
+    std::optional<std::string> take_note() { return std::exchange(note_, std::nullopt); }
 
     // The dialog or the problem, where one is open.
     void talk();
@@ -38,6 +43,7 @@ class ObjectChooser {
     ObjectShelf shelf_;
     FileChooser chooser_;
     std::filesystem::path last_folder_;
+    std::optional<std::string> note_;
 };
 
 }  // namespace nacre

@@ -1,6 +1,7 @@
 #include "app/preview/object.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/exchange/file_ending.h"
 #include "core/exchange/obj_file.h"
@@ -11,7 +12,7 @@ namespace nacre {
 namespace {
 
 SceneObject with_mesh(const std::string& name, Mesh mesh, double pitch) {
-    return {name, std::make_shared<const Mesh>(std::move(mesh)), pitch};
+    return {name, std::make_shared<const Mesh>(std::move(mesh)), pitch, {}};
 }
 
 }  // namespace
@@ -29,7 +30,10 @@ SceneObject make_object(const std::string& name) {
     if (name == "torus") return with_mesh(name, torus(), 50);
     if (name == "plate") return with_mesh(name, plate(), 0);
     if (name == "tablecloth") return with_mesh(name, cloth_mesh(draped_cloth()), 24);
-    return with_mesh(name, load_obj(name), 15);
+    std::string note;
+    SceneObject object = with_mesh(name, load_obj(name, &note), 15);
+    object.note = std::move(note);
+    return object;
 }
 
 }  // namespace nacre

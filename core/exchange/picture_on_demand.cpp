@@ -48,13 +48,17 @@ const PictureModule& pictures() {
 }  // namespace
 
 Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where,
-                    PictureShape shape) {
-    return pictures().load_picture(file, error_file, error_where, shape);
+                    PictureShape shape, PictureNotes* notes) {
+    return pictures().load_picture(file, error_file, error_where, shape, notes);
 }
 
-ColourPicture load_colours(const fs::path& file) { return pictures().load_colours(file); }
+ColourPicture load_colours(const fs::path& file, PictureNotes* notes) {
+    return pictures().load_colours(file, notes);
+}
 
-LatLong load_lat_long(const fs::path& file) { return pictures().load_lat_long(file); }
+LatLong load_lat_long(const fs::path& file, PictureNotes* notes) {
+    return pictures().load_lat_long(file, notes);
+}
 
 void write_png(const fs::path& file, glm::ivec2 size, std::span<const std::uint8_t> pixels) {
     pictures().write_png(file, size, pixels);

@@ -17,8 +17,9 @@ struct Mesh {
     bool operator==(const Mesh&) const = default;
 };
 
-// Moves the middle of the bounding box to the origin and scales so that the farthest vertex is at distance 1.
-// The mesh has an extent.
+// Moves the middle of the bounding box to the origin and scales so that the farthest point is at distance 1.
+// The points have an extent.
+void fit(std::vector<glm::dvec3>& points);
 void fit(Mesh& mesh);
 
 // The triangles of a grid of columns x rows vertices, row after row, facing toward (along a row) x (along a

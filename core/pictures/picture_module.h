@@ -15,10 +15,10 @@ namespace nacre {
 
 // The functions of core/exchange/picture.h and image_file.h that need OpenImageIO.
 struct PictureModule {
-    Raster (*load_picture)(const std::filesystem::path&, const std::string&, const std::string&,
-                           PictureShape);
-    ColourPicture (*load_colours)(const std::filesystem::path&);
-    LatLong (*load_lat_long)(const std::filesystem::path&);
+    Raster (*load_picture)(const std::filesystem::path&, const std::string&, const std::string&, PictureShape,
+                           PictureNotes*);
+    ColourPicture (*load_colours)(const std::filesystem::path&, PictureNotes*);
+    LatLong (*load_lat_long)(const std::filesystem::path&, PictureNotes*);
     void (*write_png)(const std::filesystem::path&, glm::ivec2, std::span<const std::uint8_t>);
     void (*write_exr)(const std::filesystem::path&, glm::ivec2, const std::vector<std::string>&,
                       std::span<const float>);

@@ -6,8 +6,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <numbers>
+#include <random>
+#include <vector>
 
 #include "core/geometry/cloth.h"
+#include "core/geometry/normal_sums.h"
 #include "core/geometry/polygons.h"
 #include "core/geometry/shapes.h"
 #include "core/geometry/tablecloth.h"
@@ -211,7 +215,7 @@ TEST_CASE("geometry: made normals are smooth below the crease angle and sharp ab
     // Two squares that meet at an angle along x = 0.
     const auto roof = [](double slope) {
         Triangles t;
-        const auto z = static_cast<float>(-slope);
+        const double z = -slope;
         t.positions = {{-1, 0, z}, {0, 0, 0}, {0, 1, 0}, {-1, 1, z}, {1, 0, z}, {1, 1, z}};
         const auto corner = [](int p) { return Triangles::Corner{p, absent, absent}; };
         for (const auto& f : {std::array{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}})
@@ -225,4 +229,51 @@ TEST_CASE("geometry: made normals are smooth below the crease angle and sharp ab
         if (smooth.positions[i].x == 0) CHECK(smooth.normals[i].z == doctest::Approx(1));
     CHECK(wrong_frames(smooth) == 0);
     CHECK(wrong_frames(sharp) == 0);
+}
+
+TEST_CASE("geometry: sums of normals within an angle are those of all pairs, in steps that hardly grow") {
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    std::vector<WeightedNormal> normals;
+    for (int i = 0; i < 40000; ++i)
+        normals.push_back({glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))),
+                           1 + 0.5 * std::sin(i)});
+    const std::vector<WeightedNormal> fewer(normals.begin(), normals.begin() + 2000);
+    const double angle = 50 * std::numbers::pi / 180;
+    const NormalSums of_few(fewer), of_many(normals);
+    std::size_t few = 0, many = 0;
+    for (std::size_t i = 0; i < 200; ++i) {
+        const glm::dvec3 direction = normals[i].normal;
+        glm::dvec3 sum{0};
+        for (const WeightedNormal& other : fewer)
+            if (glm::dot(other.normal, direction) >= std::cos(angle)) sum += other.normal * other.weight;
+        // So few stand wide apart, and are decided one by one.
+        CHECK(glm::length(of_few.within(direction, angle, &few) - sum) < 1e-9);
+        of_many.within(direction, angle, &many);
+    }
+    CHECK(many < 6 * few);  // of 20 times as many
+    const NormalSums same(std::vector<WeightedNormal>(100000, {{0, 0, 1}, 1}));
+    std::size_t steps = 0;
+    CHECK(glm::length(same.within({0, 0, 1}, angle, &steps) - glm::dvec3(0, 0, 1e5)) < 1e-6);
+    CHECK(steps < 10);
+}
+
+TEST_CASE("geometry: a fan of very many triangles gets the normals that a fan of few has") {
+    // A flat cone, whose tip is a corner of every triangle.
+    const auto tip = [](int n) {
+        Triangles t;
+        t.positions.emplace_back(0, 0, 0.3);
+        for (int i = 0; i < n; ++i)
+            t.positions.emplace_back(std::cos(2 * std::numbers::pi * i / n),
+                                     std::sin(2 * std::numbers::pi * i / n), 0);
+        for (int i = 0; i < n; ++i) t.faces.push_back({{{0}, {1 + i}, {1 + (i + 1) % n}}});
+        const Mesh mesh = mesh_of(t);
+        REQUIRE(mesh.indices.size() == static_cast<std::size_t>(3 * n));
+        float least = 1;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+            least = std::min(least, mesh.normals[mesh.indices[i]].z);
+        return least;
+    };
+    CHECK(tip(50) == doctest::Approx(1));
+    CHECK(tip(200000) == doctest::Approx(1));  // by pairs it would take 4e10 of them
 }

@@ -43,6 +43,10 @@ TEST_CASE("objects: an OBJ file dropped on the window is shown, and a bad one to
     REQUIRE(r.designer().scene.object.mesh);
     CHECK(r.designer().scene.object.mesh->indices.size() == 12);
     CHECK(!r.designer().pictures.talking());
+    CHECK(r.designer().files.message().empty());
+    r.play("drop \"" + written(folder.path() / "less.obj", std::string(tetrahedron) + "f 1 2\n") +
+           "\"\nwait\nframes 2");
+    CHECK(r.designer().files.message() == "less.obj: faces of fewer than 3 corners left out: 1");
     const SceneObject mine = r.designer().scene.object;
     r.play("drop \"" + written(folder.path() / "bad.obj", "v 0 0 0\nf 1 2 3\n") + "\"\nwait");
     CHECK(r.designer().objects.talking());

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/exchange/picture.h"
+
+namespace nacre {
+
+// A PictureProblem where the picture is none by latitude and longitude.
+LatLong read_environment(const std::filesystem::path& file, PictureNotes& notes);
+
+}  // namespace nacre
