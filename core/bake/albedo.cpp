@@ -175,6 +175,26 @@ std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) {
     return level;
 }
 
+bool AlbedoRule::refine_at(const std::vector<dvec3>& directions, double tolerance) {
+    const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
+    bool refined = false;
+    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) {
+        const bool smooth = !distribution_.lobes()[lobe].lobe->spans().empty();
+        const std::size_t finest = (smooth ? orders : facet_counts.size()) - 1;
+        if (!smooth)
+            for (std::size_t level = 0; level <= finest; ++level) make_facets(level);
+        for (const dvec3 k : directions) {
+            const double g = distribution_.projected_area(k);
+            const AlbedoValues best = over_lobe(lobe, finest, k, g);
+            while (level_[lobe] < finest && difference(over_lobe(lobe, level_[lobe], k, g), best) > part) {
+                ++level_[lobe];
+                refined = true;
+            }
+        }
+    }
+    return refined;
+}
+
 AlbedoValues AlbedoRule::operator()(dvec3 k1, double g1) const {
     AlbedoValues sum{};
     for (std::size_t lobe = 0; lobe < level_.size(); ++lobe)

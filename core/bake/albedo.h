@@ -38,6 +38,10 @@ class AlbedoRule {
     // The same for a smaller tolerance.
     AlbedoRule finer(double tolerance) const;
 
+    // Refines until at those directions it differs from the finest by no more than `tolerance`, as the few by
+    // which a rule is made may miss what a p does within a narrow range. Whether it had to.
+    bool refine_at(const std::vector<dvec3>& directions, double tolerance);
+
     // R(k1), g(k1) given.
     AlbedoValues operator()(dvec3 k1, double g1) const;
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/bake/worst_search.h"
 
 namespace nacre {
 namespace {
@@ -9,64 +12,162 @@ namespace {
 // Beyond those between nodes.
 constexpr int grazing_probes = 24;
 
-struct Probe {
-    dvec3 k;
-    TablePlace place;
-};
+// A search looks into one of so many cells, and at the least into so many; it climbs from so many points.
+constexpr int cells_each = 80, cells_least = 4, climbs = 5;
 
-std::vector<Probe> choose_probes(const StretchedGrid& grid, const TableSize& nodes, int count) {
-    const TableCells cells({nodes.v, nodes.rho}, grid.symmetry());
-    std::vector<TablePoint> points = count < cells.count() ? cells.strewn(count) : cells.one_a_cell();
-    for (const TablePoint& point : cells.grazing(grazing_probes)) points.push_back(point);
-    std::vector<Probe> probes;
-    for (const TablePoint& point : points)
-        probes.push_back(
-            {grid.albedo_direction(point.column / cells.columns(), point.row, nodes.rho), point.place});
-    return probes;
-}
+// Directions in the layer before the horizon that it looks at.
+constexpr std::size_t layer_probes = 8;
 
 }  // namespace
 
-AlbedoTable::AlbedoTable(const AlbedoRules& rules, const BakePlan& plan, Workers& workers) {
-    const int columns = plan.nodes.v, count = columns * plan.nodes.rho, channels = plan.fresnel_tables;
-    const FacetDistribution& distribution = *rules.area().distribution();
-    const Shading<double>& shading = rules.shading();
-    data_.resize(static_cast<std::size_t>(count * (1 + channels)));
+AlbedoTable::AlbedoTable(const AlbedoRules& rules, const BakePlan& plan, Workers& workers)
+    : rules_(rules), nodes_{plan.nodes.v, plan.nodes.rho}, channels_(plan.fresnel_tables) {
+    fill(workers);
+    read_ = rules.area().data();
+    shading_ = rules.shading();
+    place(shading_, plan, static_cast<int>(read_.size()));
+    read_.insert(read_.end(), data_.begin(), data_.end());
+    shading_.data = read_.data();
+    probe(workers);
+}
+
+void AlbedoTable::fill(Workers& workers) {
+    const int columns = nodes_.polar, count = columns * nodes_.azimuth;
+    const FacetDistribution& distribution = *rules_.area().distribution();
+    const Shading<double>& shading = rules_.shading();
+    data_.resize(static_cast<std::size_t>(count * (1 + channels_)));
+    kept_.resize(static_cast<std::size_t>(count));
     workers.for_each(count, [&](int i) {
-        const dvec3 k = rules.area().grid().albedo_direction(static_cast<double>(i % columns) / (columns - 1),
-                                                             i / columns, plan.nodes.rho);
+        const dvec3 k =
+            direction({static_cast<double>(i % columns), static_cast<double>(i / columns), TablePlace::node});
         const double g = distribution.projected_area(k), kept = shading.clamped_part(k, g);
-        AlbedoValues values = rules.nodes()(k, g);
+        kept_[static_cast<std::size_t>(i)] = kept;
+        AlbedoValues values = rules_.nodes()(k, g);
         for (double& value : values) value = kept > 0 ? value / kept : 0;
         data_[static_cast<std::size_t>(i)] = static_cast<float>(values[0]);
-        const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
-        for (int c = 0; c < channels; ++c)
+        const dvec3 f = channels_ == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
+        for (int c = 0; c < channels_; ++c)
             data_[static_cast<std::size_t>(i + (c + 1) * count)] =
                 static_cast<float>(values[static_cast<std::size_t>(c + 1)] - f[c] * values[0]);
     });
-    measure(rules, plan, workers);
 }
 
-void AlbedoTable::measure(const AlbedoRules& rules, const BakePlan& plan, Workers& workers) {
-    const FacetDistribution& distribution = *rules.area().distribution();
-    Shading<double> shading = rules.shading();
-    std::vector<float> data = rules.area().data();
-    place(shading, plan, static_cast<int>(data.size()));
-    data.insert(data.end(), data_.begin(), data_.end());
-    shading.data = data.data();
-    const std::vector<Probe> probes = choose_probes(rules.area().grid(), plan.nodes, rules.most_probes());
-    std::vector<double> errors(probes.size());
-    workers.for_each(static_cast<int>(probes.size()), [&](int i) {
-        const dvec3 k = probes[static_cast<std::size_t>(i)].k;
-        errors[static_cast<std::size_t>(i)] =
-            albedo_error(shading, k, rules.probes()(k, distribution.projected_area(k)), plan.fresnel_tables);
+void AlbedoTable::probe(Workers& workers) {
+    const TableCells cells = this->cells();
+    const int count = rules_.most_probes();
+    points_ = count < cells.count() ? cells.strewn(count) : cells.one_a_cell();
+    for (const TablePoint& point : cells.grazing(grazing_probes)) points_.push_back(point);
+    errors_ = sample(points_, probes_, workers);
+}
+
+TableCells AlbedoTable::cells() const { return {nodes_, rules_.area().grid().symmetry()}; }
+
+dvec3 AlbedoTable::direction(const TablePoint& point) const {
+    return rules_.area().grid().albedo_direction(point.column / (nodes_.polar - 1), point.row,
+                                                 nodes_.azimuth);
+}
+
+std::vector<double> AlbedoTable::sample(const std::vector<TablePoint>& points,
+                                        std::vector<KnownAlbedo>& known, Workers& workers) const {
+    const FacetDistribution& distribution = *rules_.area().distribution();
+    const std::size_t begin = known.size();
+    known.resize(begin + points.size());
+    std::vector<double> errors(points.size());
+    workers.for_each(static_cast<int>(points.size()), [&](int i) {
+        const std::size_t at = static_cast<std::size_t>(i);
+        const dvec3 k = not_below_lowest(direction(points[at]));
+        known[begin + at] = {k, rules_.probes()(k, distribution.projected_area(k))};
+        errors[at] = albedo_error(shading_, k, known[begin + at].values, channels_);
     });
-    error_.all = summarise(errors);
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-        if (probes[i].place == TablePlace::along_polar) error_.polar = worse_error(error_.polar, errors[i]);
-        if (probes[i].place == TablePlace::along_azimuth)
-            error_.azimuth = worse_error(error_.azimuth, errors[i]);
+    return errors;
+}
+
+AxisError AlbedoTable::measure() const {
+    AxisError error;
+    error.all = summarise(errors_);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (points_[i].place == TablePlace::along_polar) error.polar = worse_error(error.polar, errors_[i]);
+        if (points_[i].place == TablePlace::along_azimuth)
+            error.azimuth = worse_error(error.azimuth, errors_[i]);
     }
+    return error;
+}
+
+void AlbedoTable::tell(std::vector<KnownAlbedo>& known) const {
+    known.insert(known.end(), probes_.begin(), probes_.end());
+}
+
+// Of the table with F = 1, and of the Fresnel factor that bends most beside it.
+std::vector<double> AlbedoTable::cell_bends_of_all() const {
+    const Symmetry symmetry = rules_.area().grid().symmetry();
+    std::vector<double> bends = cell_bends(nodes_, symmetry, data_.data(), kept_);
+    for (int c = 1; c <= channels_; ++c) {
+        const std::vector<double> other =
+            cell_bends(nodes_, symmetry, data_.data() + static_cast<std::size_t>(c) * kept_.size(), kept_);
+        for (std::size_t i = 0; i < bends.size(); ++i) bends[i] = worse_error(bends[i], other[i]);
+    }
+    return bends;
+}
+
+// Under clamp R falls to 0 above c = g/N, which is next to the horizon where p turns away: there an error of
+// g, however small beside p's width, is one of R. The points where that is largest.
+std::vector<TablePoint> AlbedoTable::layer_points(Workers& workers) const {
+    const TableCells cells = this->cells();
+    if (cells.flat() || !shading_.kinds.clamp) return {};
+    const FacetDistribution& distribution = *rules_.area().distribution();
+    std::vector<std::pair<double, TablePoint>> layer(static_cast<std::size_t>(2 * cells.rows()));
+    workers.for_each(2 * cells.rows(), [&](int i) {
+        TablePoint point{static_cast<double>(cells.columns()), 0.5 * i + 0.25, TablePlace::centre};
+        const dvec3 k = direction(point);
+        const auto spot = shading_.table_spot(k);
+        const double g = distribution.projected_area(k), read = shading_.projected_area(k, spot);
+        const double most = std::max(g, read), c = std::max(most / shading_.surface.N, lowest_cosine);
+        if (!(c < 0.5)) return;
+        const double sine = std::sqrt((1 - c) * (1 + c));
+        const dvec3 edge{sine * k.x, sine * k.y, c};
+        const auto albedo = shading_.albedo_spot(edge, shading_.table_spot(edge));
+        point.column = albedo.v * cells.columns();
+        layer[static_cast<std::size_t>(i)] = {std::fabs(g - read) / most * shading_.full_albedo(albedo),
+                                              point};
+    });
+    std::stable_sort(layer.begin(), layer.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<TablePoint> points;
+    for (std::size_t i = 0; i < std::min(layer.size(), layer_probes); ++i) points.push_back(layer[i].second);
+    return points;
+}
+
+void AlbedoTable::search(double enough, AxisError& error, std::vector<KnownAlbedo>& known,
+                         Workers& workers) const {
+    const TableCells cells = this->cells();
+    const std::size_t first = known.size();
+    WorstSearch search(cells,
+                       [&](const std::vector<TablePoint>& points) { return sample(points, known, workers); });
+    search.look_at_bends(cell_bends_of_all(), std::max(cells.count() / cells_each, cells_least),
+                         cells.count() > rules_.most_probes());
+    search.look_at(layer_points(workers));
+    search.know(points_, errors_);
+    if (search.worst() > enough) search.climb(climbs);
+    search.add_to(error);
+    error.all.directions += static_cast<int>(known.size() - first);
+}
+
+double AlbedoTable::worst_at(const std::vector<KnownAlbedo>& known) const {
+    double worst = 0;
+    for (const KnownAlbedo& albedo : known)
+        worst = worse_error(worst, albedo_error(shading_, albedo.k, albedo.values, channels_));
+    return worst;
+}
+
+std::vector<dvec3> AlbedoTable::worst_of(const std::vector<KnownAlbedo>& known, std::size_t count) const {
+    std::vector<std::pair<double, dvec3>> errors;
+    for (const KnownAlbedo& albedo : known)
+        errors.push_back({albedo_error(shading_, albedo.k, albedo.values, channels_), albedo.k});
+    std::stable_sort(errors.begin(), errors.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<dvec3> worst;
+    for (std::size_t i = 0; i < std::min(errors.size(), count); ++i) worst.push_back(errors[i].second);
+    return worst;
 }
 
 void AlbedoTable::place(Shading<double>& shading, const BakePlan& plan, int offset) {

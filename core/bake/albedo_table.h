@@ -24,7 +24,7 @@ class AlbedoRules {
           shading_(area.shading(material)),
           nodes_(*area.distribution(), shading_, channels, effort.rule_tolerance),
           probes_(nodes_.finer(effort.probe_tolerance)),
-          most_probes_(effort.probes) {}
+          effort_(effort) {}
     AlbedoRules(const AlbedoRules&) = delete;
     AlbedoRules& operator=(const AlbedoRules&) = delete;
 
@@ -32,22 +32,48 @@ class AlbedoRules {
     const Shading<double>& shading() const { return shading_; }
     const AlbedoRule& nodes() const { return nodes_; }
     const AlbedoRule& probes() const { return probes_; }
-    int most_probes() const { return most_probes_; }
+    int most_probes() const { return effort_.probes; }
+
+    // Lets both rules keep their tolerance at those directions too; whether they had to change.
+    bool refine_at(const std::vector<dvec3>& directions) {
+        const bool nodes = nodes_.refine_at(directions, effort_.rule_tolerance);
+        return probes_.refine_at(directions, effort_.probe_tolerance) || nodes;
+    }
 
   private:
     const AreaTable& area_;
     Shading<double> shading_;
     AlbedoRule nodes_, probes_;
-    int most_probes_;
+    AlbedoEffort effort_;
+};
+
+// R of one distribution at a direction.
+struct KnownAlbedo {
+    dvec3 k;
+    AlbedoValues values;
 };
 
 class AlbedoTable {
   public:
-    // On the grid of g's table, which is also where g(k2) is read.
+    // On the grid of g's table, which is also where g(k2) is read. `rules` is kept as a reference.
     AlbedoTable(const AlbedoRules& rules, const BakePlan& plan, Workers& workers);
+    AlbedoTable(const AlbedoTable&) = delete;
+    AlbedoTable& operator=(const AlbedoTable&) = delete;
 
-    // Error of R, absolute, every Fresnel factor: of the interpolation and of the rule.
-    const AxisError& error() const { return error_; }
+    // Error of R, absolute, every Fresnel factor: of the interpolation and of the rule, at the first
+    // directions.
+    AxisError measure() const;
+
+    // Adds all directions between nodes that this table knows R at.
+    void tell(std::vector<KnownAlbedo>& known) const;
+
+    // Looks where the table may err more than `error` tells, and further where that is more than `enough`;
+    // adds to `error` what it finds and to `known` where it looked.
+    void search(double enough, AxisError& error, std::vector<KnownAlbedo>& known, Workers& workers) const;
+
+    // The worst error at those directions, and the worst so many of them.
+    double worst_at(const std::vector<KnownAlbedo>& known) const;
+    std::vector<dvec3> worst_of(const std::vector<KnownAlbedo>& known, std::size_t count) const;
 
     // R G/g with F = 1, then the Fresnel factors' differences, as the shader reads them.
     const std::vector<float>& data() const { return data_; }
@@ -56,10 +82,25 @@ class AlbedoTable {
     static void place(Shading<double>& shading, const BakePlan& plan, int offset);
 
   private:
-    void measure(const AlbedoRules& rules, const BakePlan& plan, Workers& workers);
+    void fill(Workers& workers);
+    void probe(Workers& workers);
+    std::vector<double> sample(const std::vector<TablePoint>& points, std::vector<KnownAlbedo>& known,
+                               Workers& workers) const;
+    std::vector<double> cell_bends_of_all() const;
+    std::vector<TablePoint> layer_points(Workers& workers) const;
+    dvec3 direction(const TablePoint& point) const;
+    TableCells cells() const;
 
+    const AlbedoRules& rules_;
+    TableNodes nodes_;
+    int channels_;
     std::vector<float> data_;
-    AxisError error_;
+    std::vector<double> kept_;  // clamped_part() at each node
+    std::vector<float> read_;   // the table of g, then data_
+    Shading<double> shading_;   // reads that
+    std::vector<TablePoint> points_;
+    std::vector<KnownAlbedo> probes_;
+    std::vector<double> errors_;
 };
 
 }  // namespace nacre

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "core/bake/worst_search.h"
+
 namespace nacre {
 namespace {
 
@@ -17,6 +19,9 @@ constexpr std::size_t worst_looked_at = 24;
 
 // Beyond those between nodes.
 constexpr int grazing_samples = 96;
+
+// A search looks into one of so many cells, and at the least into so many; it climbs from so many points.
+constexpr int cells_each = 24, cells_least = 8, climbs = 6;
 
 }  // namespace
 
@@ -145,6 +150,62 @@ Shading<double> AreaTable::shading(const Shading<double>& material) const {
     shape.area_offset = 0;
     result.data = data_.data();
     return result;
+}
+
+void AreaTable::tell(std::vector<KnownArea>& known) const {
+    for (std::size_t i = 0; i < samples_->size(); ++i) known.push_back({(*samples_)[i].k, area_at(i)});
+}
+
+// What an A that is off by 1 at each node makes of g's error.
+std::vector<double> AreaTable::node_weights(const Shading<double>& shading) const {
+    std::vector<double> weights(node_count());
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const dvec3 k = (*samples_)[i].k;
+        weights[i] = area_error(shading, k, area_at(i) + shading.table_spot(k).scale, area_at(i));
+    }
+    return weights;
+}
+
+void AreaTable::search(const Shading<double>& material, double enough, AxisError& error,
+                       std::vector<KnownArea>& known, Workers& workers) const {
+    const Shading<double> shading = this->shading(material);
+    const TableCells cells = this->cells();
+    const std::size_t first = known.size();
+    WorstSearch search(cells, [&](const std::vector<TablePoint>& points) {
+        const std::size_t begin = known.size();
+        known.resize(begin + points.size());
+        std::vector<double> errors(points.size());
+        workers.for_each(static_cast<int>(points.size()), [&](int i) {
+            const std::size_t at = static_cast<std::size_t>(i);
+            const dvec3 k = not_below_lowest(sample_at(points[at]).k);
+            known[begin + at] = {k, distribution_->projected_area(k)};
+            errors[at] = area_error(shading, k, known[begin + at].g);
+        });
+        return errors;
+    });
+    search.look_at_bends(cell_bends(nodes_, grid_->symmetry(), data_.data(), node_weights(shading)),
+                         std::max(cells.count() / cells_each, cells_least), !all_measured());
+    std::vector<TablePoint> points;
+    std::vector<double> errors;
+    for (std::size_t i = node_count(); i < samples_->size(); ++i) {
+        points.push_back((*samples_)[i].point);
+        errors.push_back(area_error(shading, (*samples_)[i].k, area_at(i)));
+    }
+    search.know(points, errors);
+    if (search.worst() > enough) search.climb(climbs);
+    search.add_to(error);
+    error.all.directions += static_cast<int>(known.size() - first);
+}
+
+double AreaTable::worst_at(const Shading<double>& material, const std::vector<KnownArea>& known,
+                           Workers& workers) const {
+    const Shading<double> shading = this->shading(material);
+    std::vector<double> errors(known.size());
+    workers.for_each(static_cast<int>(known.size()), [&](int i) {
+        const KnownArea& area = known[static_cast<std::size_t>(i)];
+        errors[static_cast<std::size_t>(i)] = area_error(shading, area.k, area.g);
+    });
+    return summarise(errors).worst;
 }
 
 AxisError AreaTable::measure(const Shading<double>& material) const {

@@ -12,6 +12,12 @@
 
 namespace nacre {
 
+// g of one distribution at a direction.
+struct KnownArea {
+    dvec3 k;
+    double g;
+};
+
 class AreaTable {
   public:
     // g at every node and at the directions between them by which it is measured, fewer of them for a draft.
@@ -32,6 +38,18 @@ class AreaTable {
     // Relative error between nodes under the material's clamp and N: see area_error().
     AxisError measure(const Shading<double>& material) const;
 
+    // Adds all directions that this table knows g at.
+    void tell(std::vector<KnownArea>& known) const;
+
+    // Looks where the table may err more than `error` tells, and further where that is more than `enough`;
+    // adds to `error` what it finds and to `known` where it looked.
+    void search(const Shading<double>& material, double enough, AxisError& error,
+                std::vector<KnownArea>& known, Workers& workers) const;
+
+    // The worst error at those directions.
+    double worst_at(const Shading<double>& material, const std::vector<KnownArea>& known,
+                    Workers& workers) const;
+
     const StretchedGrid& grid() const { return *grid_; }
     const std::shared_ptr<const FacetDistribution>& distribution() const { return distribution_; }
 
@@ -51,6 +69,7 @@ class AreaTable {
     void sample(std::size_t index);
     void fill();
     double area_at(std::size_t index) const;
+    std::vector<double> node_weights(const Shading<double>& shading) const;
     TableCells cells() const;
     int strewn_directions() const;
     bool all_measured() const;

@@ -5,31 +5,16 @@
 #include <limits>
 
 #include "core/bake/coupling.h"
-#include "core/bake/fitted.h"
 #include "core/bake/stopwatch.h"
+#include "core/bake/table_fits.h"
 #include "core/model/picture_lobe.h"
 #include "core/model/surface.h"
 
 namespace nacre {
 namespace {
 
-// What of the tolerance the errors at the measured directions may take; the rest is for those between them.
-constexpr double area_part = 0.75, albedo_part = 0.8;
-
-// Floats of all tables of a design, 64 KiB, and what of them g may take.
-constexpr int floats_most = 16384, area_floats_most = 7424;
-
 // Of eq. 28's constant, between two rows of R.
 constexpr double final_coupling = 1e-7, draft_coupling = 1e-4;
-
-// Directions by which R is measured.
-constexpr int final_probes = 160, draft_probes = 16;
-
-// From here on the form of g that leaves out the moment is tried too.
-constexpr double strong_lean = 0.15;
-
-// The error of g that is good enough for a draft of a p that leans.
-constexpr double draft_enough = 0.02;
 
 // A draft's grid is fitted anew when the error of g has grown so much since.
 constexpr double outgrown = 2, outgrown_least = 5e-3;
@@ -54,21 +39,6 @@ bool same_albedo(const Design& a, const Design& b) {
     const bool linear = std::holds_alternative<SchlickFresnel>(a.fresnel) &&
                         std::holds_alternative<SchlickFresnel>(b.fresnel);
     return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel);
-}
-
-// Of the mean normal of the facets above the horizon, as a slope; 0 where it is rounding.
-double lean_of(const FacetDistribution& distribution) {
-    const dvec3 moment = distribution.area({0, 0, 1}).gradient;
-    const double slope = std::hypot(moment.x, moment.y) / moment.z;
-    return slope > 1e-9 ? slope : 0;
-}
-
-// The smaller of two tables that both keep to the target, else the one that errs less.
-bool better(const Fitted<AreaTable>& a, const Fitted<AreaTable>& b, double target) {
-    const double error_a = a.error.all.worst, error_b = b.error.all.worst;
-    if (target < std::numeric_limits<double>::infinity() && error_a <= target && error_b <= target)
-        return a.nodes.polar * a.nodes.azimuth < b.nodes.polar * b.nodes.azimuth;
-    return error_a < error_b;
 }
 
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
@@ -135,34 +105,7 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
     area_origin_ = TableOrigin::summed;
     if (sum_area(made, now, material, workers)) return;
     area_origin_ = TableOrigin::baked;
-    const Symmetry symmetry = made.plan.symmetry.symmetry;
-    const bool draft = made.options.quality == Quality::draft, fixed = draft || made.options.size.has_value();
-    const double target =
-        fixed ? std::numeric_limits<double>::infinity() : area_part * made.options.tolerance;
-    const TableNodes first{made.plan.nodes.w, made.plan.nodes.psi};
-    auto make = [&](TableNodes nodes, bool without_moment) {
-        Fitted<AreaTable> result;
-        result.nodes = nodes;
-        result.table = std::make_shared<const AreaTable>(now.distribution, made.plan.symmetry, nodes,
-                                                         without_moment, made.options.quality, workers);
-        result.error = result.table->measure(material);
-        return result;
-    };
-    auto fit = [&](bool without_moment) {
-        return fit_table(first, symmetry, target, fixed ? 0 : area_floats_most,
-                         [&](TableNodes nodes) { return make(nodes, without_moment); });
-    };
-    Fitted<AreaTable> fitted = fit(false);
-    const double leaning = lean_of(*now.distribution);
-    const bool missed = fitted.error.all.worst > (draft ? draft_enough : fixed ? 0 : target);
-    // Where the first form serves, the other is only fitted if its smallest table errs half as much.
-    auto promising = [&] {
-        return !fixed && make(first, true).error.all.worst < 0.5 * fitted.tried.front().worst;
-    };
-    if (leaning > (missed && !fixed ? 0 : strong_lean) && (missed || promising())) {
-        const Fitted<AreaTable> other = fit(true);
-        if (better(other, fitted, target)) fitted = other;
-    }
+    const FittedArea fitted = fit_area(now.distribution, made.plan, made.options, material, workers);
     made.area = fitted.table;
     made.area_error = fitted.error;
     made.fitted_error = fitted.error.all.worst;
@@ -173,30 +116,9 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
 
 void Baker::make_albedo(Kept& made, const Shading<double>& material, Workers& workers) {
     albedo_origin_ = TableOrigin::baked;
-    const double never = std::numeric_limits<double>::infinity();
-    const double tolerance = made.options.tolerance;
-    const bool draft = made.options.quality == Quality::draft, fixed = draft || made.options.size.has_value();
-    const AlbedoEffort effort = draft ? AlbedoEffort{never, tolerance, draft_probes}
-                                      : AlbedoEffort{0.3 * tolerance, 0.1 * tolerance, final_probes};
-    const double target =
-        fixed ? never
-              : std::max(albedo_part * tolerance - made.area_error.all.root_mean_square, 0.3 * tolerance);
-    const int limit =
-        (floats_most - static_cast<int>(made.area->data().size())) / (1 + made.plan.fresnel_tables);
-    const AlbedoRules rules(*made.area, material, made.plan.fresnel_tables, effort);
-    const Fitted<AlbedoTable> fitted =
-        fit_table({made.plan.nodes.v, made.plan.nodes.rho}, made.plan.symmetry.symmetry, target,
-                  fixed ? 0 : limit, [&](TableNodes nodes) {
-                      BakePlan plan = made.plan;
-                      plan.nodes.v = nodes.polar;
-                      plan.nodes.rho = nodes.azimuth;
-                      Fitted<AlbedoTable> result;
-                      result.nodes = nodes;
-                      result.table = std::make_shared<const AlbedoTable>(rules, plan, workers);
-                      result.error = result.table->error();
-                      return result;
-                  });
-    made.albedo = fitted.table;
+    FittedAlbedo fitted = fit_albedo(*made.area, made.area_error, made.plan, made.options, material, workers);
+    made.albedo = std::make_shared<const std::vector<float>>(std::move(fitted.data));
+    made.albedo_error = fitted.error;
     made.tried_albedo = fitted.tried;
     made.plan.nodes.v = fitted.nodes.polar;
     made.plan.nodes.rho = fitted.nodes.azimuth;
@@ -224,6 +146,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
     }
     if (keep_albedo) {
         made.albedo = before->albedo;
+        made.albedo_error = before->albedo_error;
         made.albedo_seconds = before->albedo_seconds;
         made.tried_albedo = before->tried_albedo;
         made.plan.nodes.v = before->plan.nodes.v;
@@ -277,14 +200,14 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     tables.tried_area = made.tried_area;
     if (made.albedo) {
         AlbedoTable::place(shading, made.plan, static_cast<int>(tables.data.size()));
-        tables.data.insert(tables.data.end(), made.albedo->data().begin(), made.albedo->data().end());
+        tables.data.insert(tables.data.end(), made.albedo->begin(), made.albedo->end());
         shading.data = tables.data.data();
         const AlbedoIntegrals integrals = integrate_albedo(
             shading, made.options.quality == Quality::draft ? draft_coupling : final_coupling, workers);
         tables.mean_albedo = integrals.mean;
         shading.surface.coupling = integrals.coupling;
         // An error of g is one of P in R = E[F P], so that it adds its mean at the most.
-        tables.errors.albedo = made.albedo->error().all;
+        tables.errors.albedo = made.albedo_error;
         tables.errors.albedo.worst += tables.errors.area.root_mean_square;
         tables.errors.albedo.root_mean_square += tables.errors.area.root_mean_square;
         tables.tried_albedo = made.tried_albedo;

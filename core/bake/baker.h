@@ -36,8 +36,9 @@ class Baker {
         BakePlan plan = {};
         std::shared_ptr<const AreaTable> area = {};
         AxisError area_error = {};
-        double fitted_error = 0;  // worst of g when the grid was fitted to p
-        std::shared_ptr<const AlbedoTable> albedo = {};
+        double fitted_error = 0;                                // worst of g when the grid was fitted to p
+        std::shared_ptr<const std::vector<float>> albedo = {};  // see AlbedoTable
+        TableError albedo_error = {};
         std::vector<TriedSize> tried_area = {}, tried_albedo = {};
         double area_seconds = 0, albedo_seconds = 0;  // that it took to make them
     };

@@ -17,6 +17,10 @@ constexpr double smallest_width = 1e-6;
 // slanted velvet: 0.8 to 0.85 errs least).
 constexpr double lean_most = 0.8;
 
+// The sine of the first column's theta: a masking that is correlated by azimuth has another limit at n from
+// every side, and each row holds its own.
+constexpr double beside_normal = 1e-9;
+
 // The inverse of quarter_turns(): t of the cubic t (6 - t^2)/5 = u is 2 r sin(a), r^2 = 2, sin(3 a) = 5/2
 // u/r^3.
 dvec2 direction_at(double turns) {
@@ -165,9 +169,9 @@ dvec3 StretchedGrid::area_direction(double w, double row) const {
 }
 
 dvec3 StretchedGrid::albedo_direction(double v, double row, int nodes_rho) const {
-    if (v <= 0) return {0, 0, 1};
     const dvec2 e = turned(azimuth_at_rho(row_turns(row, nodes_rho, symmetry_), shading_));
-    const dvec2 polar = glm::normalize(dvec2{cotangent_at_v(v, cotangent_scale(e)), 1});
+    const dvec2 polar =
+        v > 0 ? glm::normalize(dvec2{cotangent_at_v(v, cotangent_scale(e)), 1}) : dvec2{1, beside_normal};
     return {e * polar.y, polar.x};
 }
 

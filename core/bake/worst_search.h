@@ -1,0 +1,67 @@
+// Where a table errs most: looked for in the cells where its own nodes bend most, and uphill from the worst.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/bake/table_points.h"
+#include "core/bake/tables.h"
+
+namespace nacre {
+
+// The least k.n of a search, and of what claims are checked by: no layer before the horizon is too thin to be
+// found otherwise.
+inline constexpr double lowest_cosine = 1e-5;
+
+// k, or the direction above it that stands so high.
+dvec3 not_below_lowest(dvec3 k);
+
+// For each cell the most that a table of these nodes, row by row, bends at a corner: of what is smooth,
+// linear interpolation errs by an eighth of its second differences. `weights`: what an error at each node
+// counts.
+std::vector<double> cell_bends(TableNodes nodes, Symmetry symmetry, const float* values,
+                               const std::vector<double>& weights);
+
+// The errors of one table at chosen points, and the worst of them.
+class WorstSearch {
+  public:
+    // The errors at so many points, several at a time.
+    using ErrorsAt = std::function<std::vector<double>(const std::vector<TablePoint>&)>;
+
+    WorstSearch(const TableCells& cells, ErrorsAt errors_at)
+        : cells_(cells), errors_at_(std::move(errors_at)) {}
+
+    void look_at(const std::vector<TablePoint>& points);
+
+    // In so many cells that bend most. `between`: what stands between nodes is not known from elsewhere.
+    void look_at_bends(const std::vector<double>& bends, int count, bool between);
+
+    // From so many of the worst points, no two of them neighbours, to where the error is largest.
+    void climb(int starts);
+
+    // Errors that are known already.
+    void know(const std::vector<TablePoint>& points, const std::vector<double>& errors);
+
+    double worst() const;
+
+    // Raises the worst errors to what was found.
+    void add_to(AxisError& error) const;
+
+  private:
+    struct Climb {
+        TablePoint point;
+        double error;
+        double step;  // cells
+    };
+
+    TablePoint moved(const TablePoint& from, double across, double down) const;
+    std::vector<Climb> choose_starts(int count) const;
+    bool close(const TablePoint& a, const TablePoint& b) const;
+
+    TableCells cells_;
+    ErrorsAt errors_at_;
+    std::vector<TablePoint> points_;
+    std::vector<double> errors_;
+};
+
+}  // namespace nacre

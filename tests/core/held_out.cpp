@@ -1,0 +1,92 @@
+#include "tests/core/held_out.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/bake/albedo.h"
+
+namespace nacre::test {
+namespace {
+
+using std::numbers::pi;
+
+template <class ErrorAt>
+HeldOutError worst_of(const std::vector<dvec3>& directions, const ErrorAt& error_at) {
+    std::vector<double> errors(directions.size());
+    tbb::parallel_for(std::size_t{0}, directions.size(),
+                      [&](std::size_t i) { errors[i] = error_at(directions[i]); });
+    HeldOutError result;
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        if (!(errors[i] <= result.worst)) result = {errors[i], directions[i]};
+    return result;
+}
+
+}  // namespace
+
+std::vector<dvec3> held_out_directions(int count, unsigned seed) {
+    Random random(seed);
+    const double low = std::sin(3 * pi / 180);
+    std::vector<dvec3> directions;
+    for (int i = 0; i < count; ++i) {
+        const double phi = 2 * pi * uniform_random(random), u = uniform_random(random);
+        const double c = i % 4 == 0 ? std::sin(pi / 2 * u)
+                         : i % 4 == 1
+                             ? (i % 8 == 1 ? std::fmax(low * u, 1e-5) : low * std::pow(1e-5 / low, u))
+                             : u;
+        const double sine = std::sqrt((1 - c) * (1 + c));
+        directions.push_back({sine * std::cos(phi), sine * std::sin(phi), c});
+    }
+    return directions;
+}
+
+Design random_mixture(unsigned seed) {
+    Random random(seed);
+    auto number = [&](double low, double high) { return low + (high - low) * uniform_random(random); };
+    auto width = [&] { return std::exp(number(std::log(0.02), std::log(1.0))); };
+    Design design;
+    design.distribution.layers.clear();
+    const int count = 1 + static_cast<int>(number(0, 4));
+    for (int i = 0; i < count; ++i) {
+        Layer layer;
+        const double x = width(), y = number(0, 1) < 0.4 ? x : width();
+        switch (static_cast<int>(number(0, 4))) {
+            case 0:
+                layer.lobe = GaussianLobe{x, y};
+                break;
+            case 1:
+                layer.lobe = BeckmannLobe{x, y};
+                break;
+            default:
+                layer.lobe = GgxLobe{x, y};
+                break;
+        }
+        layer.weight = std::exp(number(std::log(2e-3), 0));
+        layer.tilt = number(0, 60);
+        layer.azimuth = number(0, 360);
+        layer.rotation = number(0, 180);
+        design.distribution.layers.push_back(layer);
+    }
+    design.shadowing.model = static_cast<ShadowingModel>(static_cast<int>(number(0, 3)));
+    design.fresnel = SchlickFresnel{dvec3{0.5}};
+    design.diffuse = CoupledDiffuse{dvec3{0.5}};
+    return design;
+}
+
+HeldOutError held_out_area(const Tables& tables, const std::vector<dvec3>& directions) {
+    return worst_of(directions, [&](dvec3 k) {
+        return area_error(tables.shading, k, tables.distribution->projected_area(k));
+    });
+}
+
+HeldOutError held_out_albedo(const Tables& tables, const std::vector<dvec3>& directions) {
+    const int channels = tables.plan.fresnel_tables;
+    const AlbedoRule rule(*tables.distribution, tables.shading, channels, tables.tolerance / 40);
+    return worst_of(directions, [&](dvec3 k) {
+        return albedo_error(tables.shading, k, rule(k, tables.distribution->projected_area(k)), channels);
+    });
+}
+
+}  // namespace nacre::test
