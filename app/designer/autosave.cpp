@@ -119,7 +119,10 @@ AutosaveHead read_autosave_head(const fs::path& file) {
 }
 
 UnsavedWork read_autosave(const fs::path& file) {
-    const std::string text = read_text_file(file, autosave_bytes_max);
+    return parse_autosave(read_text_file(file, autosave_bytes_max), file);
+}
+
+UnsavedWork parse_autosave(const std::string& text, const fs::path& file) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     Head head = read_head(std::string_view(text).substr(0, end), file.string());
     Design design = parse_work(std::string_view(text).substr(end), file.string(), file.parent_path());

@@ -43,6 +43,7 @@ AutosaveHead read_autosave_head(const std::filesystem::path& file);
 
 // Whatever is wrong is a UserError about the file.
 UnsavedWork read_autosave(const std::filesystem::path& file);
+UnsavedWork parse_autosave(const std::string& text, const std::filesystem::path& file);
 
 // Writes on a thread of its own, one file at a time; what is newest when a write ends is written next.
 class Autosave {

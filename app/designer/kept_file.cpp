@@ -16,14 +16,18 @@ namespace nacre {
 
 namespace fs = std::filesystem;
 
-void KeptFile::read(const std::function<void(ObjectReader&)>& take) {
+void read_object(const std::string& text, const std::string& name,
+                 const std::function<void(ObjectReader&)>& take) {
+    const nlohmann::json json = parse_json(text, name);
+    ObjectReader object(JsonValue(json, fs::path(name).stem().string(), name));
+    take(object);
+}
+
+void KeptFile::read(const std::function<void(const std::string& text, const std::string& name)>& take) {
     std::error_code error;
     if (file_.empty() || !fs::exists(fs::symlink_status(file_, error))) return;
     try {
-        const std::string name = file_.string();
-        const nlohmann::json json = parse_json(read_text_file(file_), name);
-        ObjectReader object(JsonValue(json, file_.stem().string(), name));
-        take(object);
+        take(read_text_file(file_), file_.string());
     } catch (const UserError& refused) {
         set_aside(refused.what());
     }

@@ -11,15 +11,20 @@
 
 namespace nacre {
 
+// Hands the object that the text is to `take`. What is wrong with it is a UserError of the file `name`, whose
+// stem stands for the object in errors.
+void read_object(const std::string& text, const std::string& name,
+                 const std::function<void(ObjectReader&)>& take);
+
 class KeptFile {
   public:
     // An empty path: there is nothing to read, and writing does nothing.
     explicit KeptFile(std::filesystem::path file = {}) : file_(std::move(file)) {}
 
-    // Hands the file's object to `take`, which throws a UserError where it is wrong; nothing happens where
-    // there is no file. A file that is refused is set aside under another name beside it before anything is
-    // written in its place, and problem() says so.
-    void read(const std::function<void(ObjectReader&)>& take);
+    // Hands the file's text and name to `take`, which throws a UserError where it is wrong; nothing happens
+    // where there is no file. A file that is refused is set aside under another name beside it before
+    // anything is written in its place, and problem() says so.
+    void read(const std::function<void(const std::string& text, const std::string& name)>& take);
 
     // Whole or not at all; its folder is made when it is not there. Does nothing while a refused file could
     // not be set aside.

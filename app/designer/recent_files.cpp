@@ -23,13 +23,20 @@ std::vector<fs::path> read_files(ObjectReader& object) {
 
 }  // namespace
 
+std::vector<fs::path> parse_recent(const std::string& text, const std::string& name) {
+    std::vector<fs::path> files;
+    read_object(text, name, [&](ObjectReader& object) { files = read_files(object); });
+    return files;
+}
+
 RecentFiles::RecentFiles(const fs::path& folder)
     : file_(folder.empty() ? fs::path() : folder / "recent.json") {
     read();
 }
 
 void RecentFiles::read() {
-    file_.read([this](ObjectReader& object) { files_ = read_files(object); });
+    file_.read(
+        [this](const std::string& text, const std::string& name) { files_ = parse_recent(text, name); });
 }
 
 void RecentFiles::note(const fs::path& file) {

@@ -10,6 +10,9 @@
 
 namespace nacre {
 
+// The paths that recent.json holds. What is wrong with the text is a UserError of `name`.
+std::vector<std::filesystem::path> parse_recent(const std::string& text, const std::string& name);
+
 class RecentFiles {
   public:
     static constexpr std::size_t files_max = 12;

@@ -34,6 +34,14 @@ Settings read_settings(ObjectReader& object) {
     return settings;
 }
 
+}  // namespace
+
+Settings parse_settings(const std::string& text, const std::string& name) {
+    Settings settings;
+    read_object(text, name, [&](ObjectReader& object) { settings = read_settings(object); });
+    return settings;
+}
+
 std::string settings_text(const Settings& settings) {
     std::string text = fmt::format("{{\n  \"nacre_settings\": {},\n", version);
     text += fmt::format("  \"panel\": {},\n", settings.layout.panel);
@@ -49,11 +57,10 @@ std::string settings_text(const Settings& settings) {
     return text + fmt::format("  \"system_dialogs\": {}\n}}\n", settings.system_dialogs);
 }
 
-}  // namespace
-
 SettingsFile::SettingsFile(const fs::path& folder)
     : file_(folder.empty() ? fs::path() : folder / "settings.json") {
-    file_.read([this](ObjectReader& object) { values = read_settings(object); });
+    file_.read(
+        [this](const std::string& text, const std::string& name) { values = parse_settings(text, name); });
     kept_ = values;
 }
 

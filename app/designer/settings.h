@@ -18,6 +18,10 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
+// As settings.json holds them. What is wrong with the text is a UserError of `name`.
+Settings parse_settings(const std::string& text, const std::string& name);
+std::string settings_text(const Settings& settings);
+
 class SettingsFile {
   public:
     // Reads settings.json of the folder, if it is there. An empty folder: nothing is read or kept.
