@@ -106,9 +106,11 @@ void swatch(const std::string& name, glm::dvec3& linear) {
     constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs;
     const DisplayColour before = displayed(linear);
     DisplayColour now = before;
-    ImGui::ColorEdit3("##swatch", now.values,
-                      flags | ImGuiColorEditFlags_NoPicker | ImGuiColorEditFlags_NoOptions);
+    ImGui::ColorEdit3(
+        "##swatch", now.values,
+        flags | ImGuiColorEditFlags_NoPicker | ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoTooltip);
     note_item(name + " swatch");
+    tooltip_for_item("A click picks the colour as it is displayed.");
     if (ImGui::IsItemClicked()) ImGui::OpenPopup("picker");
     if (ImGui::BeginPopup("picker")) {
         ImGui::SetNextItemWidth(ImGui::GetFrameHeight() * 12);

@@ -161,7 +161,7 @@ drawn() {
 # Left alone, then changed at any moment of its sleep.
 xdotool mousemove 5 5
 corner=$(corner 1280 800)
-for i in $(seq 10); do
+for i in $(seq 8); do
     sleep "1.$((RANDOM % 5))$((RANDOM % 10))"
     width=$((i % 2 ? 760 + 10 * i : 1270 - 10 * i)) height=$((i % 2 ? 560 + 7 * i : 790 - 7 * i))
     xdotool windowsize "$window" $width $height
