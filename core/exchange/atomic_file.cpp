@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int numbers_most = 99'999;
+constexpr int links_most = 40;  // as many as Linux follows
 
 [[noreturn]] void fail(const fs::path& file, const std::string& reason) {
     throw UserError(file.string(), "write", "the file cannot be written", reason);
@@ -27,17 +28,13 @@ constexpr int numbers_most = 99'999;
 
 std::string system_reason(int error) { return std::generic_category().message(error); }
 
-// Where the bytes go: the end of a chain of symbolic links. Devices and pipes are refused, since a
-// rename would replace the device itself.
+// Where the bytes go. Devices and pipes are refused, since a rename would replace the device itself.
 fs::path final_target(const fs::path& file) {
     std::error_code error;
-    fs::path target = file;
-    if (fs::is_symlink(fs::symlink_status(file, error))) {
-        target = fs::weakly_canonical(file, error);
-        if (error) fail(file, error.message());
-    }
+    const fs::path target = link_target(file);
     const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status) || !target.has_filename()) fail(file, "it is a directory");
+    if (fs::is_symlink(fs::symlink_status(target, error))) fail(file, system_reason(ELOOP));
     if (!fs::exists(status)) return target;
     if (!fs::is_regular_file(status)) fail(file, "it is not a regular file");
     if (::access(target.c_str(), W_OK) != 0) fail(file, system_reason(errno));
@@ -129,6 +126,17 @@ void write_bytes(const fs::path& path, std::string_view bytes, const fs::path& f
 }
 
 }  // namespace
+
+fs::path link_target(const fs::path& file) {
+    fs::path target = file;
+    std::error_code error;
+    for (int link = 0; link < links_most && fs::is_symlink(fs::symlink_status(target, error)); ++link) {
+        const fs::path next = fs::read_symlink(target, error);
+        if (error) break;
+        target = target.parent_path() / next;
+    }
+    return target;
+}
 
 void write_file_atomically(const fs::path& file, std::string_view bytes) {
     write_file_atomically(file, [&](const fs::path& temporary) { write_bytes(temporary, bytes, file); });

@@ -9,6 +9,9 @@
 
 namespace nacre {
 
+// The file that a name stands for, there or not: the end of a chain of symbolic links.
+std::filesystem::path link_target(const std::filesystem::path& file);
+
 // A target that exists keeps its permissions; a symbolic link's target is replaced, not the link.
 // Whatever fails is a UserError about `file`, with the system's reason, and leaves no temporary file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);

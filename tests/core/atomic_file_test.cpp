@@ -48,6 +48,23 @@ TEST_SUITE("atomic file") {
               (fs::perms::owner_read | fs::perms::owner_write));
     }
 
+    TEST_CASE("atomic file: a symbolic link to nothing gets its target, wherever that is") {
+        const TemporaryFolder folder;
+        fs::create_directory(folder / "sub");
+        fs::create_symlink("sub/next", folder / "link");
+        fs::create_symlink("../target", folder / "sub/next");
+        write_file_atomically(folder / "link", "new");
+        CHECK(fs::is_symlink(folder / "link"));
+        CHECK(fs::is_symlink(folder / "sub/next"));
+        CHECK(read_all(folder / "target") == "new");
+        fs::create_symlink("missing/target", folder / "lost");
+        CHECK(error_of_writing(folder / "lost").find("(No such file or directory)") != std::string::npos);
+        fs::create_symlink("round", folder / "round");
+        CHECK(error_of_writing(folder / "round").find("(Too many levels of symbolic links)") !=
+              std::string::npos);
+        CHECK(folder.size() == 5);
+    }
+
     TEST_CASE("atomic file: the system's reason is told and the old file stays") {
         const TemporaryFolder folder;
         write_all(folder / "file", "old");

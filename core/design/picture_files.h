@@ -1,0 +1,14 @@
+// The files that a design names.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/design/design.h"
+
+namespace nacre {
+
+// Of every picture that stands beside the design, of layers that are switched off too; each once.
+std::vector<std::filesystem::path> picture_files(const Design& design);
+
+}  // namespace nacre

@@ -1,0 +1,21 @@
+// No output is one of the inputs, and no two outputs are one file.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace nacre {
+
+// To be asked before anything is written. Files are told apart by what they are and not by their names: links
+// of both kinds, `..` and, where a folder ignores it, the case of letters lead to the same file. A UserError
+// about the output that also names what it would overwrite. An input that is not there is none.
+void check_outputs(const std::vector<std::filesystem::path>& outputs,
+                   const std::vector<std::filesystem::path>& inputs);
+
+// Whether the folder takes "A" and "a" for one name.
+bool ignores_case(const std::filesystem::path& folder);
+
+// The name as such a folder compares it: of two names that differ in the case of letters alone, the same.
+std::string without_case(const std::string& utf8);
+
+}  // namespace nacre
