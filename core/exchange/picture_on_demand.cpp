@@ -56,13 +56,13 @@ ColourPicture load_colours(const fs::path& file) { return pictures().load_colour
 
 LatLong load_lat_long(const fs::path& file) { return pictures().load_lat_long(file); }
 
-void write_png(const fs::path& file, glm::ivec2 size, std::span<const std::uint8_t> pixels) {
-    pictures().write_png(file, size, pixels);
+ImageBytes png_bytes(glm::ivec2 size, std::span<const std::uint8_t> pixels) {
+    return pictures().png_bytes(size, pixels);
 }
 
-void write_exr(const fs::path& file, glm::ivec2 size, const std::vector<std::string>& channels,
-               std::span<const float> values) {
-    pictures().write_exr(file, size, channels, values);
+ImageBytes exr_bytes(glm::ivec2 size, const std::vector<std::string>& channels,
+                     std::span<const float> values) {
+    return pictures().exr_bytes(size, channels, values);
 }
 
 }  // namespace nacre
