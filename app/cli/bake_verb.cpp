@@ -4,6 +4,7 @@
 
 #include "app/cli/bake_options.h"
 #include "app/cli/output.h"
+#include "app/cli/output_option.h"
 #include "app/cli/table_output.h"
 #include "app/cli/verbs.h"
 #include "core/exchange/error_json.h"
@@ -69,9 +70,8 @@ int bake_to_folder(const BakeVerbOptions& options, Interrupt& interrupt) {
 
 void declare_bake(Command& command, Action& action) {
     const auto options = std::make_shared<BakeVerbOptions>();
-    command.option("DESIGN", options->design, "a .nacre file").required();
-    command.option("-o,--output", options->folder, "the folder for the tables, made when it is not there")
-        .required();
+    command.option("DESIGN", options->design, "a .nacre file; - is standard input").required();
+    add_folder_option(command, options->folder, "the folder for the tables, made when it is not there");
     command
         .option("--threads", options->bake.threads,
                 "at most this many (default: all); the tables do not depend on it")

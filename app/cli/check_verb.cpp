@@ -7,7 +7,6 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
-#include "core/design/design_file.h"
 #include "core/measure/physics_check.h"
 
 namespace nacre::cli {
@@ -61,7 +60,7 @@ std::string json_report(const Design& design, const PhysicsReport& report) {
 }
 
 int check(const CheckOptions& options, const Interrupt& interrupt) {
-    const Design design = load_design(options.design);
+    const Design design = read_design(options.design);
     PhysicsReport report;
     {
         Progress progress("checking");
@@ -77,7 +76,7 @@ int check(const CheckOptions& options, const Interrupt& interrupt) {
 
 void declare_check(Command& command, Action& action) {
     const auto options = std::make_shared<CheckOptions>();
-    const auto design = command.option("DESIGN", options->design, "a .nacre file");
+    const auto design = command.option("DESIGN", options->design, "a .nacre file; - is standard input");
     command.flag("--json", options->json, "the figures as JSON");
     const auto extremes =
         command.flag("--extremes", options->extremes, "a sweep of extreme designs in place of DESIGN");

@@ -103,4 +103,6 @@ std::string Command::name() const { return app_.get_name(); }
 
 void throw_missing(const std::string& what) { throw CLI::RequiredError(what); }
 
+void throw_wrong_usage(const std::string& why) { throw CLI::ValidationError(why); }
+
 }  // namespace nacre::cli

@@ -68,4 +68,7 @@ class Command {
 // Wrong usage: the command line lacks `what`.
 [[noreturn]] void throw_missing(const std::string& what);
 
+// Wrong usage for another reason.
+[[noreturn]] void throw_wrong_usage(const std::string& why);
+
 }  // namespace nacre::cli

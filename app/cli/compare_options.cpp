@@ -8,12 +8,13 @@
 
 #include "app/cli/caption.h"
 #include "app/cli/design_input.h"
-#include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "core/design/design_file.h"
 
 namespace nacre::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr float label_grey = 0.92f, line_grey = 0.75f;
 
@@ -23,7 +24,7 @@ std::vector<std::string> opponent_names() {
     return names;
 }
 
-bool is_file(const std::string& name) { return std::filesystem::path(name).extension() == ".nacre"; }
+bool is_file(const std::string& name) { return fs::path(name).extension() == ".nacre"; }
 
 std::string known_opponent(const std::string& name) {
     if (opponent_by_name(name) || is_file(name)) return {};
@@ -35,8 +36,8 @@ struct Labelled {
     std::string label;
 };
 
-std::string title_of(const Design& design, const std::filesystem::path& file) {
-    return one_line(design.name.empty() ? file.stem().string() : design.name);
+std::string title_of(const Design& design, const fs::path& file) {
+    return one_line(design.name.empty() ? fs::path(name_of_input(file)).stem().string() : design.name);
 }
 
 Labelled bake_side(const Design& design, const std::string& file, const std::optional<Opponent>& opponent,
@@ -112,24 +113,31 @@ void add_compare_options(Command& command, CompareOptions& options) {
         .needs(compare);
 }
 
-RenderedImage render_comparison(const CompareOptions& options, const Design& design, const std::string& file,
-                                const Scene& scene, glm::ivec2 size, bool linear, int samples,
-                                const Interrupt& interrupt) {
+std::optional<Design> design_beside(const CompareOptions& options) {
+    if (options.model.empty() || opponent_by_name(options.model)) return {};
+    return load_design(options.model);
+}
+
+ComparedImage render_comparison(const CompareOptions& options, const Design& design, const std::string& file,
+                                const std::optional<Design>& beside, const Scene& scene, glm::ivec2 size,
+                                bool linear, int samples, const Interrupt& interrupt) {
     const std::optional<Opponent> opponent = opponent_by_name(options.model);
     if (opponent)
         if (const std::string problem = check_term(scene, *opponent); !problem.empty())
             throw std::runtime_error(problem);
-    const Design beside = opponent ? design : load_design(options.model);
     const Labelled left = bake_side(design, file, {}, scene, interrupt);
-    const Labelled right = bake_side(beside, opponent ? file : options.model, opponent, scene, interrupt);
+    const Labelled right =
+        bake_side(beside.value_or(design), opponent ? file : options.model, opponent, scene, interrupt);
     RenderedPair pair = render_pair(left.surface, right.surface, scene, size, linear, samples);
     const DifferenceNumbers& apart = pair.difference;
-    write_output(fmt::format("{} against {}: root mean square {:.4g}, largest {:.4g}, relative {:.4g}\n",
-                             left.label, right.label, apart.root_mean_square, apart.largest, apart.relative));
-    if (options.view == "difference") return difference_image(pair, options.look, linear);
+    std::string summary =
+        fmt::format("{} against {}: root mean square {:.4g}, largest {:.4g}, relative {:.4g}\n", left.label,
+                    right.label, apart.root_mean_square, apart.largest, apart.relative);
+    if (options.view == "difference")
+        return {difference_image(pair, options.look, linear), std::move(summary)};
     RenderedImage image{size, divided_picture(pair.left.rgb, pair.right.rgb, size, 3, options.divider)};
     if (!linear) label_sides(image, options.divider, left.label, right.label);
-    return image;
+    return {std::move(image), std::move(summary)};
 }
 
 }  // namespace nacre::cli

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/cli/interrupt.h"
 #include "core/bake/bake.h"
@@ -11,6 +13,9 @@
 
 namespace nacre::cli {
 
+// What errors call it: "-" is standard input.
+std::string name_of_input(const std::filesystem::path& file);
+
 // A UserError of `work` that names no file is about `file`.
 template <class Work>
 auto about_file(const std::filesystem::path& file, const Work& work) {
@@ -18,9 +23,15 @@ auto about_file(const std::filesystem::path& file, const Work& work) {
         return work();
     } catch (const UserError& error) {
         if (!error.file.empty()) throw;
-        throw UserError(file.string(), error.where, error.problem, error.found);
+        throw UserError(name_of_input(file), error.where, error.problem, error.found);
     }
 }
+
+// As load_design(); "-" is standard input, and its pictures are then looked for in the current folder.
+Design read_design(const std::filesystem::path& file);
+
+// Every file that the design of `file` is read from.
+std::vector<std::filesystem::path> files_of(const Design& design, const std::filesystem::path& file);
 
 // Bakes with progress and Ctrl+C; `file` is what its errors name.
 std::shared_ptr<const Tables> bake_design(const Design& design, const std::filesystem::path& file,

@@ -6,6 +6,7 @@
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/direction_lines.h"
+#include "app/cli/output_option.h"
 #include "app/cli/verbs.h"
 #include "core/bake/brdf.h"
 #include "core/design/design_file.h"
@@ -89,7 +90,9 @@ int eval(const EvalOptions& options, const Interrupt& interrupt) {
 
 void declare_eval(Command& command, Action& action) {
     const auto options = std::make_shared<EvalOptions>();
-    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.option("DESIGN", options->design, "a .nacre file")
+        .required()
+        .check(no_stream("must be a file, since standard input brings the directions"));
     command.option("--term", options->term, fmt::format("{} (default total)", fmt::join(term_names(), ", ")))
         .check(known_term);
     command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");

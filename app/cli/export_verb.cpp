@@ -7,11 +7,13 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
-#include "core/design/design_file.h"
 #include "core/exchange/export_format.h"
+#include "core/exchange/output_guard.h"
 
 namespace nacre::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ExportOptions {
     std::string design;
@@ -37,13 +39,20 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
     if (format == nullptr)
         throw std::runtime_error("export --to " + options.format +
                                  ": this format has not arrived yet; see export --list");
-    const Design design = load_design(options.design);
+    const Design design = read_design(options.design);
+    const bool to_stream = options.output == stream_name;
+    check_outputs(to_stream ? std::vector<fs::path>{"/dev/stdout"} : format->files(design, options.output),
+                  files_of(design, options.design));
     const ExportWriter write = about_file(options.design, [&] {
         Progress progress("baking");
         return format->prepare(design, options.bake, interrupt.token(),
                                [&](double done) { progress.report(done); });
     });
-    interrupt.write_files([&] { write(options.output); });
+    if (to_stream) {
+        write_output(write.bytes());
+    } else {
+        interrupt.write_files([&] { write(options.output); });
+    }
     return 0;
 }
 
@@ -52,13 +61,17 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
 void declare_export(Command& command, Action& action) {
     const auto options = std::make_shared<ExportOptions>();
     const auto list = command.flag("--list", options->list, "the formats there are");
-    const auto design = command.option("DESIGN", options->design, "a .nacre file");
+    const auto design = command.option("DESIGN", options->design, "a .nacre file; - is standard input");
     const auto format = command.option("--to", options->format, "a format of --list");
-    const auto output = command.option("-o,--output", options->output, "the file or folder to write");
+    const auto output = command.option("-o,--output", options->output,
+                                       "the file or folder to write; - is standard output, for a file");
     add_tolerance_option(command, options->bake);
     command.when_chosen([=, &action] {
         if (!list.given())
             for (const Option needed : {design, format, output}) needed.demand();
+        const ExportFormat* chosen = export_format(options->format);
+        if (options->output == stream_name && chosen != nullptr && chosen->extension.empty())
+            throw_wrong_usage("-o -: " + options->format + " is a folder of files");
         action = [options](Interrupt& interrupt) { return export_design(*options, interrupt); };
     });
 }

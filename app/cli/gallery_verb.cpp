@@ -6,18 +6,26 @@
 
 #include "app/cli/contact_sheet.h"
 #include "app/cli/design_input.h"
+#include "app/cli/message.h"
 #include "app/cli/output.h"
+#include "app/cli/output_names.h"
+#include "app/cli/output_option.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "app/headless/offscreen_context.h"
 #include "core/design/design_file.h"
+#include "core/design/picture_files.h"
+#include "core/exchange/atomic_file.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/output_guard.h"
 
 namespace nacre::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char *sheet_name = "contact-sheet", *picture_ending = ".png";
 
 struct GalleryOptions {
     std::string designs;
@@ -37,12 +45,31 @@ std::vector<fs::path> designs_in(const fs::path& folder) {
     return files;
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder))
-        throw UserError(folder.string(), "write", "the folder cannot be made",
-                        error ? error.message() : "it is no folder");
+// The picture of each design, all of them other files than the contact sheet.
+std::vector<fs::path> pictures_of(const std::vector<fs::path>& designs, const fs::path& folder) {
+    std::vector<std::string> stems;
+    for (const fs::path& design : designs) stems.push_back(design.stem().string());
+    std::vector<fs::path> pictures;
+    for (const std::string& name : distinct_names(stems, {sheet_name}, folder))
+        pictures.push_back(folder / (name + picture_ending));
+    return pictures;
+}
+
+// Before any picture is written, since one may be what a later design refers to. A design that cannot be read
+// is told when its turn comes.
+void check_all(const std::vector<fs::path>& designs, const std::vector<fs::path>& outputs,
+               const SceneOptions& scene, const Interrupt& interrupt) {
+    std::vector<fs::path> inputs = scene.files();
+    inputs.insert(inputs.end(), designs.begin(), designs.end());
+    for (const fs::path& file : designs) {
+        interrupt.check();
+        try {
+            const std::vector<fs::path> pictures = picture_files(load_design(file));
+            inputs.insert(inputs.end(), pictures.begin(), pictures.end());
+        } catch (const UserError&) {
+        }
+    }
+    check_outputs(outputs, inputs);
 }
 
 SheetPicture render_one(const fs::path& file, const GalleryOptions& options, const Scene& scene,
@@ -57,8 +84,13 @@ SheetPicture render_one(const fs::path& file, const GalleryOptions& options, con
 
 int gallery(const GalleryOptions& options, Interrupt& interrupt) {
     const std::vector<fs::path> files = designs_in(options.designs);
+    const std::vector<fs::path> targets = pictures_of(files, options.output);
+    const fs::path sheet_file = fs::path(options.output) / (std::string(sheet_name) + picture_ending);
+    std::vector<fs::path> outputs = targets;
+    outputs.push_back(sheet_file);
+    check_all(files, outputs, options.scene, interrupt);
     const Scene scene = options.scene.scene();
-    make_folder(options.output);
+    make_output_folder(options.output);
     const auto context = make_offscreen_context({16, 16});
     std::vector<SheetPicture> pictures;
     std::vector<std::string> problems;
@@ -73,17 +105,17 @@ int gallery(const GalleryOptions& options, Interrupt& interrupt) {
                 problems.emplace_back(error.what());
                 continue;
             }
-            const fs::path target = fs::path(options.output) / files[i].stem().concat(".png");
-            interrupt.write_files([&] { write_image(target, picture.image.size, picture.image.rgb); });
+            const ImageBytes bytes = image_bytes(ImageFormat::png, picture.image.size, picture.image.rgb);
+            interrupt.write_files([&] { write_file_atomically(targets[i], text_of(bytes)); });
             pictures.push_back(std::move(picture));
         }
     }
     if (!pictures.empty()) {
         const RenderedImage sheet = contact_sheet(pictures);
-        interrupt.write_files(
-            [&] { write_image(fs::path(options.output) / "contact-sheet.png", sheet.size, sheet.rgb); });
+        const ImageBytes bytes = image_bytes(ImageFormat::png, sheet.size, sheet.rgb);
+        interrupt.write_files([&] { write_file_atomically(sheet_file, text_of(bytes)); });
     }
-    for (const std::string& problem : problems) fmt::print(stderr, "nacre-cli: {}\n", problem);
+    for (const std::string& problem : problems) complain(problem);
     write_output(fmt::format("{} pictures and contact-sheet.png in {}\n", pictures.size(), options.output));
     return problems.empty() ? 0 : 1;
 }
@@ -92,9 +124,10 @@ int gallery(const GalleryOptions& options, Interrupt& interrupt) {
 
 void declare_gallery(Command& command, Action& action) {
     const auto options = std::make_shared<GalleryOptions>();
-    command.option("DIR", options->designs, "a folder of .nacre files").required();
-    command.option("-o,--output", options->output, "the folder for the pictures, made when it is not there")
-        .required();
+    command.option("DIR", options->designs, "a folder of .nacre files")
+        .required()
+        .check(no_stream("must be a folder"));
+    add_folder_option(command, options->output, "the folder for the pictures, made when it is not there");
     add_size_option(command, options->size, 16);
     add_scene_options(command, options->scene);
     command.when_chosen([options, &action] {

@@ -8,7 +8,6 @@
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
-#include "core/design/design_file.h"
 #include "core/design/design_names.h"
 #include "core/exchange/error_json.h"
 #include "core/exchange/table_files.h"
@@ -152,7 +151,7 @@ std::string json_info(const Design& design, const Tables& tables) {
 }
 
 int info(const InfoOptions& options, const Interrupt& interrupt) {
-    const Design design = load_design(options.design);
+    const Design design = read_design(options.design);
     const auto tables = bake_design(design, options.design, options.bake, interrupt);
     write_output(options.json ? json_info(design, *tables) : text_info(design, *tables));
     return 0;
@@ -162,7 +161,7 @@ int info(const InfoOptions& options, const Interrupt& interrupt) {
 
 void declare_info(Command& command, Action& action) {
     const auto options = std::make_shared<InfoOptions>();
-    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.option("DESIGN", options->design, "a .nacre file; - is standard input").required();
     add_tolerance_option(command, options->bake);
     command.flag("--json", options->json, "the same as JSON");
     command.when_chosen([options, &action] {

@@ -4,7 +4,8 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <string_view>
+
+#include "app/cli/message.h"
 
 namespace nacre::cli {
 namespace {
@@ -25,7 +26,7 @@ bool ignored(int signal) {
 
 Interrupt::Interrupt() {
     sigemptyset(&signals_);
-    for (const int signal : {SIGINT, SIGTERM})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (!ignored(signal)) sigaddset(&signals_, signal);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
     watcher_ = std::jthread([this](std::stop_token closing) { watch(std::move(closing)); });
@@ -48,8 +49,7 @@ void Interrupt::watch(std::stop_token closing) {
     }
     const std::lock_guard lock(writing_);
     if (closing.stop_requested()) return;
-    constexpr std::string_view message = "nacre-cli: stopped\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+    write_message("nacre-cli: stopped\n", grace);
     ::_exit(1);
 }
 

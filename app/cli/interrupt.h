@@ -1,4 +1,4 @@
-// Ctrl+C and SIGTERM.
+// Ctrl+C, SIGTERM and a terminal that has gone (SIGHUP).
 #pragma once
 
 #include <csignal>
@@ -14,7 +14,7 @@ struct Stopped : std::runtime_error {
     Stopped() : std::runtime_error("stopped") {}
 };
 
-// The two signals become a request to stop. Work that has not answered it within a fifth of a second (a
+// The three signals become a request to stop. Work that has not answered it within a fifth of a second (a
 // driver that draws, a reader that decodes) is ended where it stands, but never while files are being
 // written. Only one at a time, made before any other thread, since threads inherit that the signals wait.
 class Interrupt {

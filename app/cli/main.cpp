@@ -3,16 +3,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
-#include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/message.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
 #include "core/bake/bake.h"
-#include "core/design/error.h"
+#include "core/exchange/standard_streams.h"
 
 namespace {
 
@@ -21,7 +22,7 @@ using namespace nacre;
 constexpr int done = 0, failed = 1, wrong_usage = 2;
 
 int complain(std::string_view message, int exit_code) {
-    fmt::print(stderr, "nacre-cli: {}\n", one_line(message));
+    cli::complain(message);
     return exit_code;
 }
 
@@ -60,6 +61,26 @@ void declare_all(CLI::App& app, cli::Action& action) {
     }
 }
 
+// CLI11 takes -o=FILE for the option -o with the value "=FILE"; of a long option it takes it as meant.
+std::string long_form(const CLI::App& verb, const std::string& word) {
+    if (word.size() < 3 || word[0] != '-' || word[1] == '-' || word[2] != '=') return word;
+    const CLI::Option* option = verb.get_option_no_throw(word.substr(0, 2));
+    if (option == nullptr || option->get_lnames().empty() || option->get_expected_min() == 0) return word;
+    if (word.size() == 3) throw CLI::ArgumentMismatch(word + " has no value");
+    return "--" + option->get_lnames().front() + word.substr(2);
+}
+
+// Last word first, as CLI11 takes them.
+std::vector<std::string> words_of(const CLI::App& app, int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    const auto named = [&](const CLI::App* verb) { return !words.empty() && verb->get_name() == words[0]; };
+    for (const CLI::App* verb : app.get_subcommands(named))
+        for (auto word = words.begin(); word != words.end() && *word != "--"; ++word)
+            *word = long_form(*verb, *word);
+    std::reverse(words.begin(), words.end());
+    return words;
+}
+
 bool is_verb(std::string_view name) {
     const auto& verbs = cli::verbs();
     return std::any_of(verbs.begin(), verbs.end(), [&](const cli::Verb& verb) { return verb.name == name; });
@@ -68,7 +89,7 @@ bool is_verb(std::string_view name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);
+    prepare_streams();
     CLI::App app("Nacre without a window: microfacet BRDFs designed by their normal distribution",
                  "nacre-cli");
     cli::Action action;
@@ -76,7 +97,7 @@ int main(int argc, char** argv) {
         declare_all(app, action);
         if (argc > 1 && argv[1][0] != '-' && !is_verb(argv[1]))
             return complain(fmt::format("there is no verb {}; see nacre-cli --help", argv[1]), wrong_usage);
-        app.parse(argc, argv);
+        app.parse(words_of(app, argc, argv));
     } catch (const CLI::CallForHelp&) {
         return say(app.help());
     } catch (const CLI::CallForAllHelp&) {

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "app/cli/output.h"
+#include "app/cli/standard_input.h"
+#include "core/design/error.h"
 #include "core/exchange/environment_file.h"
 #include "core/light/procedural.h"
 
@@ -27,12 +30,35 @@ bool parse_size(std::string_view text, int smallest, glm::ivec2& size) {
            parse_side(text.substr(cross + 1), smallest, size.y);
 }
 
+std::shared_ptr<const Environment> load_surrounding(const std::string& name) {
+    if (name != stream_name) return load_environment(name);
+    const SpooledInput input;
+    try {
+        return load_environment(input.path());
+    } catch (const UserError& error) {
+        throw UserError(standard_input, error.where, error.problem, error.found);
+    }
+}
+
 }  // namespace
 
 void add_size_option(Command& command, glm::ivec2& size, int smallest) {
     const std::string allowed = fmt::format("must be WIDTHxHEIGHT, {} to {} pixels each", smallest, size_max);
     command.option_read_by([=, &size](const std::string& text) { return parse_size(text, smallest, size); },
                            "--size", "WxH", allowed, fmt::format("pixels (default {}x{})", size.x, size.y));
+}
+
+std::vector<std::filesystem::path> SceneOptions::files() const {
+    std::vector<std::filesystem::path> files;
+    const std::vector<std::string> objects = object_names();
+    if (std::find(objects.begin(), objects.end(), object) == objects.end()) files.emplace_back(object);
+    const auto& known = procedural_environments();
+    const auto is_this = [&](const EnvironmentName& each) { return each.name == environment; };
+    if (environment == stream_name)
+        files.emplace_back("/dev/stdin");
+    else if (!environment.empty() && std::none_of(known.begin(), known.end(), is_this))
+        files.emplace_back(environment);
+    return files;
 }
 
 Scene SceneOptions::scene() const {
@@ -45,7 +71,7 @@ Scene SceneOptions::scene() const {
     scene.object = make_object(object);
     if (!scene.object.note.empty()) warn(object, scene.object.note);
     if (!environment.empty())
-        scene.environment = {load_environment(environment), rotation, brightness, backdrop,
+        scene.environment = {load_surrounding(environment), rotation, brightness, backdrop,
                              !name.empty() || !light.empty()};
     scene.term = term_by_name(term).value_or(Term::total);
     return scene;
@@ -74,7 +100,8 @@ void add_scene_options(Command& command, SceneOptions& options) {
     command.option(
         "--environment", options.environment,
         fmt::format(
-            "light from all around in place of the lights: {}, or a picture by latitude and longitude",
+            "light from all around in place of the lights: {}, or a picture by latitude and longitude; - is "
+            "standard input",
             fmt::join(names, ", ")));
     command.option("--rotation", options.rotation, "turns the environment to the right, degrees (default 0)")
         .finite_within(-360, 360);

@@ -1,8 +1,10 @@
 // Options that the verbs which draw have in common.
 #pragma once
 
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/preview/scene.h"
@@ -26,6 +28,9 @@ struct SceneOptions {
     bool backdrop = false;
     int samples = 256;  // a pixel
     std::string term = "total";
+
+    // Those that the object and the environment are read from.
+    std::vector<std::filesystem::path> files() const;
 
     // Makes the object and the environment: what is wrong with their files is a UserError.
     Scene scene() const;

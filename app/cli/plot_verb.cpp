@@ -3,8 +3,10 @@
 
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
+#include "app/cli/output.h"
+#include "app/cli/output_option.h"
 #include "app/cli/verbs.h"
-#include "core/design/design_file.h"
+#include "core/exchange/output_guard.h"
 #include "core/exchange/plot_files.h"
 
 namespace nacre::cli {
@@ -12,7 +14,7 @@ namespace {
 
 struct PlotOptions {
     std::string design;
-    std::string file;
+    OutputOption output;
     std::string what = "albedo";
     std::string term = "total";
     std::string scale;
@@ -32,12 +34,13 @@ int plot(PlotOptions options, Interrupt& interrupt) {
     settings.term = *term_by_name(options.term);
     if (!options.scale.empty())
         settings.logarithmic[static_cast<std::size_t>(settings.kind)] = options.scale == "log";
-    check_plot_file(options.file);
-    const Design design = load_design(options.design);
+    check_plot_file(options.output.named());
+    const Design design = read_design(options.design);
+    check_outputs(options.output.outputs(), files_of(design, options.design));
     options.bake.albedo = needs_albedo(settings);
     const auto tables = bake_design(design, options.design, options.bake, interrupt);
     const Plot made = *make_plot(*tables, settings);
-    interrupt.write_files([&] { write_plot(options.file, made); });
+    write_file_or_output(options.output.file, plot_text(options.output.named(), made), interrupt);
     return 0;
 }
 
@@ -45,8 +48,8 @@ int plot(PlotOptions options, Interrupt& interrupt) {
 
 void declare_plot(Command& command, Action& action) {
     const auto options = std::make_shared<PlotOptions>();
-    command.option("DESIGN", options->design, "a .nacre file").required();
-    command.option("-o,--output", options->file, "a .svg or .csv file").required();
+    command.option("DESIGN", options->design, "a .nacre file; - is standard input").required();
+    add_output_option(command, options->output, {"svg", "csv"}, "a .svg or .csv file");
     command.option("--what", options->what, fmt::format("{}", fmt::join(kind_names(), ", ")))
         .one_of(kind_names())
         .shows_default();
@@ -71,6 +74,7 @@ void declare_plot(Command& command, Action& action) {
         .one_of({"linear", "log"});
     add_tolerance_option(command, options->bake);
     command.when_chosen([options, &action] {
+        check_usage(options->output);
         action = [options](Interrupt& interrupt) { return plot(*options, interrupt); };
     });
 }

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "app/cli/message.h"
 
 namespace nacre::cli {
 namespace {
@@ -20,7 +21,7 @@ Progress::Progress(std::string what)
     : what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) == 1), next_(Clock::now() + first_after) {}
 
 Progress::~Progress() {
-    if (drawn_) std::fputs("\r\033[K", stderr);
+    if (drawn_) write_message("\r\033[K", between);
 }
 
 void Progress::report(double done) {
@@ -29,9 +30,9 @@ void Progress::report(double done) {
     drawn_ = true;
     const double part = std::clamp(done, 0.0, 1.0);
     const int filled = static_cast<int>(std::lround(part * bar_length));
-    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %", what_, "", filled, "", bar_length - filled,
-               100 * part);
-    std::fflush(stderr);
+    write_message(fmt::format("\r{} [{:#<{}}{:.<{}}] {:3.0f} %", what_, "", filled, "", bar_length - filled,
+                              100 * part),
+                  between);
 }
 
 }  // namespace nacre::cli

@@ -1,29 +1,47 @@
-
+#include "app/cli/design_input.h"
+#include "app/cli/output.h"
+#include "app/cli/output_option.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/verbs.h"
 #include "app/headless/screenshot.h"
-#include "core/design/error.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/input_file.h"
+#include "core/exchange/output_guard.h"
 
 namespace nacre::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ScreenshotVerbOptions {
     std::string design;
-    std::string image;
+    OutputOption output;
     std::string script;
     glm::ivec2 size{1280, 800};
     float ui_scale = 1;
 };
 
+// Of the script, also those that are dropped in it.
+std::vector<fs::path> inputs(const ScreenshotVerbOptions& options, const ScreenshotOptions& wanted) {
+    std::vector<fs::path> files;
+    if (wanted.design) files = files_of(*wanted.design, options.design);
+    if (!options.script.empty()) files.emplace_back(options.script);
+    for (const Event& event : wanted.script.events)
+        if (const auto* const drop = std::get_if<events::Drop>(&event.what)) files.emplace_back(drop->file);
+    return files;
+}
+
 int take_screenshot(const ScreenshotVerbOptions& options, Interrupt& interrupt) {
-    if (image_format(options.image) != ImageFormat::png)
-        throw UserError(options.image, "write", "a screenshot is a .png file");
-    ScreenshotOptions wanted{.design = {}, .script = {}, .size = options.size, .ui_scale = options.ui_scale};
-    if (!options.design.empty()) wanted.design = options.design;
-    if (!options.script.empty()) wanted.script = options.script;
+    if (image_format(options.output.named()) != ImageFormat::png)
+        throw UserError(options.output.file, "write", "a screenshot is a .png file");
+    ScreenshotOptions wanted{
+        .design = {}, .file = {}, .script = {}, .size = options.size, .ui_scale = options.ui_scale};
+    if (!options.script.empty()) wanted.script = parse_events(read_text_file(options.script), options.script);
+    if (!options.design.empty()) wanted.design = read_design(options.design);
+    if (options.design != stream_name) wanted.file = options.design;
+    check_outputs(options.output.outputs(), inputs(options, wanted));
     const Screenshot picture = screenshot(wanted);
-    interrupt.write_files([&] { write_png(options.image, picture.size, picture.rgba); });
+    write_file_or_output(options.output.file, text_of(png_bytes(picture.size, picture.rgba)), interrupt);
     return 0;
 }
 
@@ -31,8 +49,8 @@ int take_screenshot(const ScreenshotVerbOptions& options, Interrupt& interrupt) 
 
 void declare_screenshot(Command& command, Action& action) {
     const auto options = std::make_shared<ScreenshotVerbOptions>();
-    command.option("DESIGN", options->design, "a .nacre file; without it, a new design");
-    command.option("-o,--output", options->image, "a .png file").required();
+    command.option("DESIGN", options->design, "a .nacre file; - is standard input; without it, a new design");
+    add_output_option(command, options->output, {"png"}, "a .png file");
     add_size_option(command, options->size, 200);
     command.option("--script", options->script, "input events to play first, one a line");
     command.option("--ui-scale", options->ui_scale, "size of text and widgets; 1 is normal").within(0.5, 4.0);

@@ -1,14 +1,15 @@
 #include "app/cli/table_output.h"
 
 #include "app/cli/design_input.h"
-#include "core/design/design_file.h"
+#include "core/exchange/output_guard.h"
 #include "core/exchange/table_files.h"
 
 namespace nacre::cli {
 WrittenTables write_tables(const std::filesystem::path& design, const std::filesystem::path& folder,
                            BakeOptions options, Interrupt& interrupt) {
     options.albedo = true;
-    const Design loaded = load_design(design);
+    const Design loaded = read_design(design);
+    check_outputs(table_files(folder, loaded), files_of(loaded, design));
     WrittenTables result;
     result.tables = bake_design(loaded, design, options, interrupt);
     result.errors = measure_table_errors(*result.tables, Reference(loaded), interrupt.token());

@@ -5,6 +5,7 @@
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/direction_lines.h"
+#include "app/cli/output_option.h"
 #include "app/cli/verbs.h"
 #include "core/bake/bake.h"
 #include "core/design/design_file.h"
@@ -94,7 +95,9 @@ int tables(const TablesOptions& options, const Interrupt& interrupt) {
 
 void declare_tables(Command& command, Action& action) {
     const auto options = std::make_shared<TablesOptions>();
-    command.option("DESIGN", options->design, "a .nacre file").required();
+    command.option("DESIGN", options->design, "a .nacre file")
+        .required()
+        .check(no_stream("must be a file, since standard input brings the directions"));
     command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
     add_tolerance_option(command, options->bake);
     command.footer(

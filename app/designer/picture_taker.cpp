@@ -33,9 +33,8 @@ void PictureTaker::begin(const Document& document, PreviewPane& preview, const S
         task_.start([image = preview.picture(scene, preview.size(), false),
                      folder = settings_->picture_folder, stem = document.stem()](const auto&, const auto&) {
             fs::create_directories(folder);
-            const fs::path file = write_numbered_file(folder, stem, ".png", [&](const fs::path& temporary) {
-                write_image(temporary, image.size, image.rgb);
-            });
+            const ImageBytes bytes = image_bytes(ImageFormat::png, image.size, image.rgb);
+            const fs::path file = write_numbered_file(folder, stem, ".png", text_of(bytes));
             return "Picture " + file.string();
         });
     } catch (const std::exception&) {

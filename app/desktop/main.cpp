@@ -16,6 +16,7 @@
 #include "app/desktop/pace.h"
 #include "app/desktop/start_report.h"
 #include "app/desktop/window.h"
+#include "core/exchange/standard_streams.h"
 
 namespace {
 
@@ -78,6 +79,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    nacre::prepare_streams();
     CLI::App options("Nacre: design the highlight of a surface", "nacre");
     Arguments arguments;
     options.add_option("DESIGN", arguments.design, "a .nacre file to open");

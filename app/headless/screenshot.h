@@ -7,11 +7,15 @@
 #include <optional>
 #include <vector>
 
+#include "app/headless/event_script.h"
+#include "core/design/design.h"
+
 namespace nacre {
 
 struct ScreenshotOptions {
-    std::optional<std::filesystem::path> design;  // none: a new one
-    std::optional<std::filesystem::path> script;  // events to play first, see event_script.h
+    std::optional<Design> design;  // none: a new one
+    std::filesystem::path file;    // that it was read from
+    EventScript script;            // events to play first
     glm::ivec2 size{1280, 800};
     float ui_scale = 1;
 };
@@ -21,7 +25,7 @@ struct Screenshot {
     std::vector<std::uint8_t> rgba;  // rows from the top
 };
 
-// Whatever is wrong with the files is a UserError; no OpenGL is a std::runtime_error.
+// What is wrong with the script is a UserError at its line; no OpenGL is a std::runtime_error.
 Screenshot screenshot(const ScreenshotOptions& options);
 
 }  // namespace nacre

@@ -81,8 +81,8 @@ LogChart accuracy_chart(const DesignAccuracy& design, ChartOf quantity) {
     return chart;
 }
 
-std::string chart_file(const DesignAccuracy& design, ChartOf quantity) {
-    return design.file + (quantity == ChartOf::area ? "-g.svg" : "-R.svg");
+std::string chart_file(const std::string& stem, ChartOf quantity) {
+    return stem + (quantity == ChartOf::area ? "-g.svg" : "-R.svg");
 }
 
 }  // namespace nacre

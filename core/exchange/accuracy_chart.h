@@ -8,6 +8,6 @@ namespace nacre {
 
 LogChart accuracy_chart(const DesignAccuracy& design, ChartOf quantity);
 
-std::string chart_file(const DesignAccuracy& design, ChartOf quantity);  // STEM-g.svg, STEM-R.svg
+std::string chart_file(const std::string& stem, ChartOf quantity);  // STEM-g.svg, STEM-R.svg
 
 }  // namespace nacre

@@ -151,7 +151,7 @@ std::string design_section(const DesignAccuracy& design) {
     return fmt::format(
         "\n## {}\n\n![g](<{}>)\n\n![R](<{}>)\n\n{}\nWhat is left out, and what it would cost to have "
         "it:\n\n{}",
-        design_name(design), chart_file(design, ChartOf::area), chart_file(design, ChartOf::albedo),
+        design_name(design), chart_file(design.file, ChartOf::area), chart_file(design.file, ChartOf::albedo),
         way_tables(design), cost_table(design.costs));
 }
 

@@ -2,17 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
-#include <random>
+#include <deque>
 #include <string>
 #include <system_error>
 
 #include "core/design/error.h"
+#include "core/exchange/system_call.h"
+#include "core/exchange/temporary_file.h"
 
 namespace nacre {
 namespace {
@@ -26,150 +26,179 @@ constexpr int links_most = 40;  // as many as Linux follows
     throw UserError(file.string(), "write", "the file cannot be written", reason);
 }
 
-std::string system_reason(int error) { return std::generic_category().message(error); }
-
 // Where the bytes go. Devices and pipes are refused, since a rename would replace the device itself.
 fs::path final_target(const fs::path& file) {
     std::error_code error;
     const fs::path target = link_target(file);
     const fs::file_status status = fs::status(target, error);
+    if (status.type() == fs::file_type::none) fail(file, error.message());
     if (fs::is_directory(status) || !target.has_filename()) fail(file, "it is a directory");
-    if (fs::is_symlink(fs::symlink_status(target, error))) fail(file, system_reason(ELOOP));
     if (!fs::exists(status)) return target;
     if (!fs::is_regular_file(status)) fail(file, "it is not a regular file");
-    if (::access(target.c_str(), W_OK) != 0) fail(file, system_reason(errno));
+    if (::access(target.c_str(), W_OK) != 0) fail_to_write(file, errno);
     return target;
 }
 
-struct Descriptor {
-    explicit Descriptor(int opened) : number(opened) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number >= 0) ::close(number);
-    }
-    const int number;
-};
+bool rename_file(const fs::path& from, const fs::path& to) {
+    return uninterrupted([&] { return std::rename(from.c_str(), to.c_str()); }) == 0;
+}
+
+bool exchange_files(const fs::path& one, const fs::path& other) {
+    return uninterrupted([&] {
+               return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE);
+           }) == 0;
+}
 
 // So that the new name outlives a power cut. Some file systems cannot, and the file is whole without it.
 void synchronise_folder(const fs::path& folder) {
-    const Descriptor opened(
-        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (opened.number >= 0) ::fsync(opened.number);
+    const Descriptor opened(uninterrupted(
+        [&] { return ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
+    if (opened.number >= 0) uninterrupted([&] { return ::fsync(opened.number); });
 }
 
-// A file of its own beside `target`, removed unless it has become the target.
-class TemporaryFile {
+void become_target(TemporaryFile& written) {
+    if (!rename_file(written.path(), written.target())) fail_to_write(written.file(), errno);
+    written.release();
+    synchronise_folder(written.target().parent_path());
+}
+
+// Files that have got their names, for as long as it is not sure that all will: until then what stood there
+// before lies under the temporary name, and comes back unless keep() is called.
+class Replacement {
   public:
-    TemporaryFile(const fs::path& file, const fs::path& target) : file_(file), target_(target) {
-        std::random_device random;
-        int descriptor = -1;
-        for (int attempt = 0; attempt < 100 && descriptor < 0; ++attempt) {
-            const std::uint64_t id = (std::uint64_t{random()} << 32) | random();
-            path_ = target.parent_path() / fmt::format(".nacre-{:016x}{}", id, target.extension().string());
-            descriptor = ::open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-            if (descriptor < 0 && errno != EEXIST) break;
+    Replacement() = default;
+    Replacement(const Replacement&) = delete;
+    Replacement& operator=(const Replacement&) = delete;
+    ~Replacement() {
+        bool whole = true;
+        for (auto step = steps_.rbegin(); step != steps_.rend() && whole; ++step) whole = undo(*step);
+        if (!whole && !aside_.empty()) ::unlink(aside_.c_str());
+    }
+
+    void put(const TemporaryFile& written) {
+        const fs::path &from = written.path(), &to = written.target();
+        if (exchange_files(from, to)) {
+            steps_.push_back({from, to, Way::exchanged});
+            return;
         }
-        if (descriptor < 0) fail(file, system_reason(errno));
-        struct stat old {};
-        if (::stat(target.c_str(), &old) == 0) ::fchmod(descriptor, old.st_mode & 07777);
-        ::close(descriptor);
+        // The target is not there, or the file system has no exchange: then there is no way back.
+        const bool is_new = errno == ENOENT;
+        if (!is_new && errno != EINVAL && errno != ENOSYS) fail_to_write(written.file(), errno);
+        if (!rename_file(from, to)) fail_to_write(written.file(), errno);
+        steps_.push_back({from, to, is_new ? Way::moved : Way::lost});
     }
 
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    ~TemporaryFile() {
-        if (!path_.empty()) ::unlink(path_.c_str());
+    // Nothing where `file` is not there.
+    void take_away(const fs::path& file, const fs::path& target) {
+        aside_ = temporary_name(target.parent_path());
+        if (rename_file(target, aside_))
+            steps_.push_back({target, aside_, Way::moved});
+        else if (errno != ENOENT)
+            fail_to_write(file, errno);
     }
 
-    const fs::path& path() const { return path_; }
-
-    void become_target() {
-        synchronise();
-        if (::rename(path_.c_str(), target_.c_str()) != 0) fail(file_, system_reason(errno));
-        path_.clear();
-        synchronise_folder(target_.parent_path());
-    }
-
-    // Returns whether `name` was free.
-    bool become(const fs::path& name) {
-        synchronise();
-        if (!rename_if_free(path_, name)) return false;
-        path_.clear();
-        synchronise_folder(name.parent_path());
-        return true;
+    void keep() {
+        steps_.clear();
+        if (!aside_.empty()) ::unlink(aside_.c_str());
     }
 
   private:
-    // The bytes are on the disk before the name is: a full disk may show only here.
-    void synchronise() const {
-        const Descriptor written(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
-        if (written.number < 0 || ::fsync(written.number) != 0) fail(file_, system_reason(errno));
+    enum class Way { exchanged, moved, lost };
+    struct Step {
+        fs::path from, to;
+        Way way;
+    };
+
+    static bool undo(const Step& step) {
+        if (step.way == Way::lost) return false;
+        return step.way == Way::exchanged ? exchange_files(step.from, step.to)
+                                          : rename_file(step.to, step.from);
     }
 
-    const fs::path& file_;
-    const fs::path& target_;
-    fs::path path_;
+    std::vector<Step> steps_;
+    fs::path aside_;
 };
-
-// A full disk may show only when the last bytes leave the buffer, on close.
-void write_bytes(const fs::path& path, std::string_view bytes, const fs::path& file) {
-    std::FILE* const stream = std::fopen(path.c_str(), "wbe");
-    if (!stream) fail(file, system_reason(errno));
-    errno = 0;
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size();
-    const int write_error = errno;
-    const bool closed = std::fclose(stream) == 0;
-    if (!written) fail(file, system_reason(write_error));
-    if (!closed) fail(file, system_reason(errno));
-}
 
 }  // namespace
 
 fs::path link_target(const fs::path& file) {
     fs::path target = file;
-    std::error_code error;
-    for (int link = 0; link < links_most && fs::is_symlink(fs::symlink_status(target, error)); ++link) {
+    for (int links = 0; links <= links_most; ++links) {
+        std::error_code error;
+        const fs::file_status status = fs::symlink_status(target, error);
+        if (status.type() == fs::file_type::none) fail(file, error.message());
+        if (!fs::is_symlink(status)) return target;
         const fs::path next = fs::read_symlink(target, error);
-        if (error) break;
+        if (error) fail(file, error.message());
         target = target.parent_path() / next;
     }
-    return target;
+    fail_to_write(file, ELOOP);
+}
+
+void make_output_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    const bool made = !error && fs::is_directory(folder, error);
+    if (!made)
+        throw UserError(folder.string(), "write", "the folder cannot be made",
+                        error ? error.message() : "it is no folder");
 }
 
 void write_file_atomically(const fs::path& file, std::string_view bytes) {
-    write_file_atomically(file, [&](const fs::path& temporary) { write_bytes(temporary, bytes, file); });
+    const fs::path target = final_target(file);
+    sweep_temporary_files(target.parent_path());
+    TemporaryFile temporary(file, target);
+    temporary.write(bytes);
+    become_target(temporary);
 }
 
-void write_file_atomically(const fs::path& file,
-                           const std::function<void(const fs::path& temporary)>& write) {
-    const fs::path target = final_target(file);
-    TemporaryFile temporary(file, target);
-    write(temporary.path());
-    temporary.become_target();
+void write_files_atomically(const std::vector<FileToWrite>& files) {
+    if (files.empty()) return;
+    std::deque<TemporaryFile> written;
+    for (const FileToWrite& each : files) {
+        const fs::path target = final_target(each.file);
+        if (written.empty() || written.back().target().parent_path() != target.parent_path())
+            sweep_temporary_files(target.parent_path());
+        written.emplace_back(each.file, target).write(each.bytes);
+    }
+    TemporaryFile& last = written.back();
+    Replacement replacement;
+    if (written.size() > 1) replacement.take_away(last.file(), last.target());
+    for (const TemporaryFile& each : written)
+        if (&each != &last) replacement.put(each);
+    synchronise_folder(last.target().parent_path());
+    become_target(last);
+    replacement.keep();
 }
 
 fs::path write_numbered_file(const fs::path& folder, const std::string& stem, const std::string& extension,
-                             const std::function<void(const fs::path& temporary)>& write) {
+                             std::string_view bytes) {
     const fs::path pattern = folder / (stem + extension);
-    TemporaryFile temporary(pattern, pattern);
-    write(temporary.path());
+    sweep_temporary_files(folder);
+    TemporaryFile temporary(pattern, folder / "");
+    temporary.write(bytes);
     for (int number = 1; number <= numbers_most; ++number) {
         fs::path name = folder / fmt::format("{}-{:03}{}", stem, number, extension);
         std::error_code error;
         if (fs::exists(fs::symlink_status(name, error))) continue;
-        if (temporary.become(name)) return name;
-        if (!fs::exists(fs::symlink_status(name, error))) fail(name, system_reason(errno));
+        if (rename_if_free(temporary.path(), name)) {
+            temporary.release();
+            synchronise_folder(folder);
+            return name;
+        }
+        const int reason = errno;
+        if (!fs::exists(fs::symlink_status(name, error))) fail_to_write(name, reason);
     }
     fail(pattern, "every number has been taken");
 }
 
 bool rename_if_free(const fs::path& from, const fs::path& to) {
-    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+    const auto renamed = uninterrupted(
+        [&] { return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE); });
+    if (renamed == 0) return true;
     // Where the file system has no such renaming, a second link does it as well.
     if (errno != EINVAL && errno != ENOSYS) return false;
-    if (::link(from.c_str(), to.c_str()) != 0) return false;
+    if (uninterrupted([&] { return ::link(from.c_str(), to.c_str()); }) != 0) return false;
     ::unlink(from.c_str());
     return true;
 }

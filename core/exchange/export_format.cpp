@@ -11,6 +11,8 @@
 namespace nacre {
 namespace {
 
+namespace fs = std::filesystem;
+
 using Progress = std::function<void(double)>;
 
 ExportWriter prepare_exr(const Design& design, BakeOptions options, const std::stop_token& stop,
@@ -18,25 +20,37 @@ ExportWriter prepare_exr(const Design& design, BakeOptions options, const std::s
     options.albedo = true;
     const auto tables = bake(design, options, stop, progress);
     const TableErrors errors = measure_table_errors(*tables, Reference(design), stop);
-    return [design, tables, errors](const std::filesystem::path& folder) {
+    return ExportWriter([design, tables, errors](const fs::path& folder) {
         write_table_files(folder, design, *tables, errors);
-    };
+    });
 }
 
 ExportWriter prepare_glsl(const Design& design, BakeOptions options, const std::stop_token& stop,
                           const Progress& progress) {
-    return [text = glsl_export(design, *bake(design, options, stop, progress))](
-               const std::filesystem::path& file) { write_file_atomically(file, text); };
+    return ExportWriter(glsl_export(design, *bake(design, options, stop, progress)));
 }
 
+std::vector<fs::path> exr_files(const Design& design, const fs::path& folder) {
+    return table_files(folder, design);
+}
+
+std::vector<fs::path> one_file(const Design&, const fs::path& file) { return {file}; }
+
 constexpr ExportFormat formats[] = {
-    {"exr", "Tables as EXR pictures", "a folder of tables as EXR pictures, with manifest.json", "",
+    {"exr", "Tables as EXR pictures", "a folder of tables as EXR pictures, with manifest.json", "", exr_files,
      prepare_exr},
     {"glsl", "GLSL function", "one file with the function nacre_brdf(k1, k2) and its tables as constants",
-     ".glsl", prepare_glsl},
+     ".glsl", one_file, prepare_glsl},
 };
 
 }  // namespace
+
+void ExportWriter::operator()(const fs::path& output) const {
+    if (fill_)
+        fill_(output);
+    else
+        write_file_atomically(output, bytes_);
+}
 
 std::span<const ExportFormat> export_formats() { return formats; }
 

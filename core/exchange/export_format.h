@@ -5,21 +5,40 @@
 #include <functional>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/bake/bake.h"
 #include "core/design/design.h"
 
 namespace nacre {
 
-// Each file appears whole or not at all; what fails is a UserError about it.
-using ExportWriter = std::function<void(const std::filesystem::path& output)>;
+// What was composed, to be written where it is wanted.
+class ExportWriter {
+  public:
+    explicit ExportWriter(std::string bytes) : bytes_(std::move(bytes)) {}
+    explicit ExportWriter(std::function<void(const std::filesystem::path&)> fill) : fill_(std::move(fill)) {}
+
+    // Each file appears whole or not at all; what fails is a UserError about it.
+    void operator()(const std::filesystem::path& output) const;
+
+    // The file, of a format that is one.
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    std::string bytes_;
+    std::function<void(const std::filesystem::path& folder)> fill_;  // of a format that is a folder
+};
 
 struct ExportFormat {
     std::string_view name;       // as `nacre-cli export --to` takes it
     std::string_view title;      // as a menu shows it
     std::string_view about;      // one line
     std::string_view extension;  // of its file; empty: it is a folder
+    // Every file that it may write.
+    std::vector<std::filesystem::path> (*files)(const Design& design, const std::filesystem::path& output);
     // Bakes, measures and composes what writes it. Throws what bake() throws.
     ExportWriter (*prepare)(const Design& design, BakeOptions options, const std::stop_token& stop,
                             const std::function<void(double)>& progress);

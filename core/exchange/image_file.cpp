@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/design/error.h"
+#include "core/exchange/atomic_file.h"
 #include "core/exchange/file_ending.h"
 
 namespace nacre {
@@ -18,16 +19,21 @@ ImageFormat image_format(const fs::path& file) {
     throw UserError(file.string(), "write", "the name of a picture must end in .png or .exr", ending);
 }
 
-void write_image(const fs::path& file, glm::ivec2 size, std::span<const float> rgb) {
-    if (image_format(file) == ImageFormat::exr) {
-        write_exr(file, size, {"R", "G", "B"}, rgb);
-        return;
-    }
-    std::vector<std::uint8_t> bytes(rgb.size());
-    std::transform(rgb.begin(), rgb.end(), bytes.begin(), [](float value) {
+std::string_view text_of(const ImageBytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+ImageBytes image_bytes(ImageFormat format, glm::ivec2 size, std::span<const float> rgb) {
+    if (format == ImageFormat::exr) return exr_bytes(size, {"R", "G", "B"}, rgb);
+    std::vector<std::uint8_t> pixels(rgb.size());
+    std::transform(rgb.begin(), rgb.end(), pixels.begin(), [](float value) {
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
     });
-    write_png(file, size, bytes);
+    return png_bytes(size, pixels);
+}
+
+void write_image(const fs::path& file, glm::ivec2 size, std::span<const float> rgb) {
+    write_file_atomically(file, text_of(image_bytes(image_format(file), size, rgb)));
 }
 
 }  // namespace nacre

@@ -34,8 +34,8 @@ struct Identity {
 
 Identity identity_of(const fs::path& file) {
     struct stat status {};
+    if (::stat(file.c_str(), &status) == 0) return {status.st_dev, status.st_ino, {}};
     const fs::path target = link_target(file);
-    if (::stat(target.c_str(), &status) == 0) return {status.st_dev, status.st_ino, {}};
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const std::string name = target.filename().string();
     if (::stat(folder.c_str(), &status) == 0)
@@ -48,8 +48,8 @@ Identity identity_of(const fs::path& file) {
 }  // namespace
 
 bool ignores_case(const fs::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return false;
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return folder.has_relative_path() && ignores_case(folder.parent_path());
     int flags = 0;
     struct statfs system {};
     const bool folds = ::ioctl(descriptor, FS_IOC_GETFLAGS, &flags) == 0 && (flags & FS_CASEFOLD_FL) != 0;
@@ -89,7 +89,7 @@ void check_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::p
     std::map<Identity, fs::path> read, written;
     for (const fs::path& input : inputs) {
         std::error_code error;
-        if (fs::exists(input, error)) read.emplace(identity_of(input), input);
+        if (fs::is_regular_file(input, error)) read.emplace(identity_of(input), input);
     }
     for (const fs::path& output : outputs) {
         const Identity identity = identity_of(output);

@@ -8,11 +8,12 @@ namespace nacre {
 
 // To be asked before anything is written. Files are told apart by what they are and not by their names: links
 // of both kinds, `..` and, where a folder ignores it, the case of letters lead to the same file. A UserError
-// about the output that also names what it would overwrite. An input that is not there is none.
+// about the output that also names what it would overwrite. An input that is no file is none:
+// not there, a name of something built in, a pipe.
 void check_outputs(const std::vector<std::filesystem::path>& outputs,
                    const std::vector<std::filesystem::path>& inputs);
 
-// Whether the folder takes "A" and "a" for one name.
+// Whether the folder takes "A" and "a" for one name; of one that is not there, the folder it would lie in.
 bool ignores_case(const std::filesystem::path& folder);
 
 // The name as such a folder compares it: of two names that differ in the case of letters alone, the same.

@@ -60,13 +60,13 @@ LatLong load_lat_long(const fs::path& file, PictureNotes* notes) {
     return pictures().load_lat_long(file, notes);
 }
 
-void write_png(const fs::path& file, glm::ivec2 size, std::span<const std::uint8_t> pixels) {
-    pictures().write_png(file, size, pixels);
+ImageBytes png_bytes(glm::ivec2 size, std::span<const std::uint8_t> pixels) {
+    return pictures().png_bytes(size, pixels);
 }
 
-void write_exr(const fs::path& file, glm::ivec2 size, const std::vector<std::string>& channels,
-               std::span<const float> values) {
-    pictures().write_exr(file, size, channels, values);
+ImageBytes exr_bytes(glm::ivec2 size, const std::vector<std::string>& channels,
+                     std::span<const float> values) {
+    return pictures().exr_bytes(size, channels, values);
 }
 
 }  // namespace nacre

@@ -18,7 +18,10 @@ std::string plot_csv(const Plot& plot);
 // A UserError of `file` unless it ends in .svg or .csv.
 void check_plot_file(const std::filesystem::path& file);
 
-// By the file's extension, .svg or .csv; see check_plot_file(). Whole or not at all.
+// The one of the two that the file's extension asks for, .svg or .csv; see check_plot_file().
+std::string plot_text(const std::filesystem::path& file, const Plot& plot, const ShapeView& view = {});
+
+// As a file, whole or not at all.
 void write_plot(const std::filesystem::path& file, const Plot& plot, const ShapeView& view = {});
 
 }  // namespace nacre

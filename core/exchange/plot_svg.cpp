@@ -132,9 +132,13 @@ void check_plot_file(const std::filesystem::path& file) {
         throw UserError(file.string(), "write", "a plot is a .svg or a .csv file");
 }
 
-void write_plot(const std::filesystem::path& file, const Plot& plot, const ShapeView& view) {
+std::string plot_text(const std::filesystem::path& file, const Plot& plot, const ShapeView& view) {
     check_plot_file(file);
-    write_file_atomically(file, ending_of(file) == ".svg" ? plot_svg(plot, view) : plot_csv(plot));
+    return ending_of(file) == ".svg" ? plot_svg(plot, view) : plot_csv(plot);
+}
+
+void write_plot(const std::filesystem::path& file, const Plot& plot, const ShapeView& view) {
+    write_file_atomically(file, plot_text(file, plot, view));
 }
 
 }  // namespace nacre

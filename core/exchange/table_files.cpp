@@ -1,13 +1,7 @@
 #include "core/exchange/table_files.h"
 
-#include <fmt/core.h>
-#include <stdlib.h>
-
-#include <cerrno>
 #include <span>
-#include <system_error>
 
-#include "core/design/error.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/table_manifest.h"
@@ -54,59 +48,12 @@ void add_layer_pictures(const Tables& tables, std::vector<TablePicture>& picture
     }
 }
 
-// Its error is about the file that `folder` was to have.
-void write_picture(const fs::path& staging, const fs::path& folder, const TablePicture& picture) {
-    try {
-        write_exr(staging / picture.file, picture.size, picture.channels, picture.values);
-    } catch (const UserError& error) {
-        throw UserError((folder / picture.file).string(), error.where, error.problem, error.found);
-    }
-}
-
 // For whoever loads the tables: which corner is which.
 TablePicture corners_picture() {
     return {"corners.exr", "corners", "column", "row", {4, 3}, {"Y"}, {1, 0, 0, 2, 0, 0, 0, 0, 3, 0, 0, 4}};
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder))
-        throw UserError(folder.string(), "write", "the folder cannot be made",
-                        error ? error.message() : "it is no folder");
-}
-
 constexpr const char* manifest_name = "manifest.json";
-
-// A hidden folder within another, for files on their way there.
-class Staging {
-  public:
-    explicit Staging(const fs::path& folder) : folder_(folder) {
-        std::string name = (folder / ".nacre-export-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw UserError(folder.string(), "write", "nothing can be written there",
-                            std::generic_category().message(errno));
-        path_ = name;
-    }
-    Staging(const Staging&) = delete;
-    Staging& operator=(const Staging&) = delete;
-    ~Staging() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-
-    const fs::path& path() const { return path_; }
-    void hand_over(const std::string& name) const {
-        std::error_code error;
-        fs::rename(path_ / name, folder_ / name, error);
-        if (error)
-            throw UserError((folder_ / name).string(), "write", "the file cannot be written",
-                            error.message());
-    }
-
-  private:
-    fs::path folder_, path_;
-};
 
 }  // namespace
 
@@ -134,23 +81,30 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
     return pictures;
 }
 
-// Everything is written into a hidden folder first, so that a full disk or a kill leaves what was there. The
-// old manifest goes before the first table is replaced, and the new one comes after the last: it never stands
-// beside tables that it does not describe.
+std::vector<fs::path> table_files(const fs::path& folder, const Design& design) {
+    std::vector<fs::path> files;
+    for (const char* name : {"area.exr", "albedo.exr", "residual.exr", "corners.exr", manifest_name})
+        files.push_back(folder / name);
+    for (int layer = 0; layer < static_cast<int>(design.distribution.layers.size()); ++layer)
+        for (const char* kind : {"painted", "modulation"})
+            files.push_back(folder / layer_picture_file(layer, kind));
+    return files;
+}
+
+// The manifest never stands beside tables that it does not describe, nor tables of two designs together.
 void write_table_files(const fs::path& folder, const Design& design, const Tables& tables,
                        const TableErrors& errors) {
-    make_folder(folder);
+    make_output_folder(folder);
     const std::vector<TablePicture> pictures = table_pictures(tables);
-    const Staging staging(folder);
-    for (const TablePicture& picture : pictures) write_picture(staging.path(), folder, picture);
-    write_file_atomically(staging.path() / manifest_name, table_manifest(design, tables, pictures, errors));
-    std::error_code error;
-    fs::remove(folder / manifest_name, error);
-    if (error)
-        throw UserError((folder / manifest_name).string(), "write", "the file cannot be replaced",
-                        error.message());
-    for (const TablePicture& picture : pictures) staging.hand_over(picture.file);
-    staging.hand_over(manifest_name);
+    const std::string manifest = table_manifest(design, tables, pictures, errors);
+    std::vector<ImageBytes> encoded;
+    for (const TablePicture& picture : pictures)
+        encoded.push_back(exr_bytes(picture.size, picture.channels, picture.values));
+    std::vector<FileToWrite> files;
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        files.push_back({folder / pictures[i].file, text_of(encoded[i])});
+    files.push_back({folder / manifest_name, manifest});
+    write_files_atomically(files);
 }
 
 }  // namespace nacre

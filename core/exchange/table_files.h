@@ -25,6 +25,9 @@ struct TablePicture {
 
 std::vector<TablePicture> table_pictures(const Tables& tables);
 
+// Every file that write_table_files() may write there.
+std::vector<std::filesystem::path> table_files(const std::filesystem::path& folder, const Design& design);
+
 // Writes every picture and then manifest.json into `folder`, which is made when it is not there.
 void write_table_files(const std::filesystem::path& folder, const Design& design, const Tables& tables,
                        const TableErrors& errors);

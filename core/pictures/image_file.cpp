@@ -1,27 +1,24 @@
 #include "core/exchange/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cstdint>
-
-#include "core/design/error.h"
-#include "core/exchange/atomic_file.h"
+#include <stdexcept>
 
 namespace nacre {
 namespace {
 
-namespace fs = std::filesystem;
-
-void write_with(const char* format, const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                const void* pixels) {
-    write_file_atomically(file, [&](const fs::path& temporary) {
-        const auto output = OIIO::ImageOutput::create(format);
-        const bool written = output && output->open(temporary.string(), spec) &&
-                             output->write_image(type, pixels) && output->close();
-        if (!written)
-            throw UserError(file.string(), "write", "the picture cannot be written",
-                            output ? output->geterror() : OIIO::geterror());
-    });
+ImageBytes encode(const char* format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+    ImageBytes bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create(format);
+    const bool encoded = output && output->set_ioproxy(&memory) && output->open(format, spec) &&
+                         output->write_image(type, pixels) && output->close();
+    if (!encoded)
+        throw std::runtime_error("the picture cannot be encoded: " +
+                                 (output ? output->geterror() : OIIO::geterror()));
+    return bytes;
 }
 
 std::size_t pixel_count(glm::ivec2 size) {
@@ -30,7 +27,7 @@ std::size_t pixel_count(glm::ivec2 size) {
 
 }  // namespace
 
-void write_png(const fs::path& file, glm::ivec2 size, std::span<const std::uint8_t> pixels) {
+ImageBytes png_bytes(glm::ivec2 size, std::span<const std::uint8_t> pixels) {
     const std::size_t stride = pixels.size() / pixel_count(size);
     std::vector<std::uint8_t> rgb;
     rgb.reserve(3 * pixel_count(size));
@@ -38,17 +35,17 @@ void write_png(const fs::path& file, glm::ivec2 size, std::span<const std::uint8
         for (std::size_t c = 0; c < 3; ++c) rgb.push_back(pixels[i * stride + c]);
     OIIO::ImageSpec spec(size.x, size.y, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    write_with("png", file, spec, OIIO::TypeDesc::UINT8, rgb.data());
+    return encode("png", spec, OIIO::TypeDesc::UINT8, rgb.data());
 }
 
-void write_exr(const fs::path& file, glm::ivec2 size, const std::vector<std::string>& channels,
-               std::span<const float> values) {
+ImageBytes exr_bytes(glm::ivec2 size, const std::vector<std::string>& channels,
+                     std::span<const float> values) {
     OIIO::ImageSpec spec(size.x, size.y, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = channels;
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "");  // else the time of writing: the same picture is the same file
     spec.attribute("oiio:ColorSpace", "Linear");
-    write_with("openexr", file, spec, OIIO::TypeDesc::FLOAT, values.data());
+    return encode("openexr", spec, OIIO::TypeDesc::FLOAT, values.data());
 }
 
 }  // namespace nacre

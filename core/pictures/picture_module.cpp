@@ -6,7 +6,7 @@
     static constexpr nacre::PictureModule module{.load_picture = nacre::load_picture,
                                                  .load_colours = nacre::load_colours,
                                                  .load_lat_long = nacre::load_lat_long,
-                                                 .write_png = nacre::write_png,
-                                                 .write_exr = nacre::write_exr};
+                                                 .png_bytes = nacre::png_bytes,
+                                                 .exr_bytes = nacre::exr_bytes};
     return &module;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/exchange/image_file.h"
 #include "core/exchange/picture.h"
 
 namespace nacre {
@@ -19,9 +20,8 @@ struct PictureModule {
                            PictureNotes*);
     ColourPicture (*load_colours)(const std::filesystem::path&, PictureNotes*);
     LatLong (*load_lat_long)(const std::filesystem::path&, PictureNotes*);
-    void (*write_png)(const std::filesystem::path&, glm::ivec2, std::span<const std::uint8_t>);
-    void (*write_exr)(const std::filesystem::path&, glm::ivec2, const std::vector<std::string>&,
-                      std::span<const float>);
+    ImageBytes (*png_bytes)(glm::ivec2, std::span<const std::uint8_t>);
+    ImageBytes (*exr_bytes)(glm::ivec2, const std::vector<std::string>&, std::span<const float>);
 };
 
 }  // namespace nacre

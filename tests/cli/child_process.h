@@ -15,10 +15,16 @@ struct Finished {
 };
 
 struct ChildOptions {
-    std::string input = {};         // on standard input
-    bool input_stays_open = false;  // a pipe that brings `input` and then nothing
-    std::string output_to = {};     // a file or device in place of a captured output
+    std::string input = {};                     // on standard input
+    std::string input_from = {};                // a file that is standard input in place of `input`
+    bool input_stays_open = false;              // a pipe that brings `input` and then nothing
+    std::string output_to = {};                 // a file or device in place of a captured output
+    std::string error_to = {};                  // the same of standard error
+    std::vector<int> closed = {};               // descriptors that are not open when it begins
+    std::vector<std::string> environment = {};  // NAME=VALUE, beside what there is
     bool output_reader_gone = false;
+    bool output_slow = false;   // a pipe that does not wait, read from little by little
+    long file_bytes_most = -1;  // how far a file may grow (RLIMIT_FSIZE); as far as it will below 0
     int signal = 0;             // sent after `signal_after`
     double signal_after = 0.5;  // seconds
 };

@@ -1,9 +1,12 @@
 #include "core/exchange/atomic_file.h"
 
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/exchange/image_file.h"
 #include "tests/core/file_size_limit.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"
@@ -117,31 +120,123 @@ TEST_SUITE("atomic file") {
         }
     }
 
-    TEST_CASE("atomic file: a callback fills a file with the wanted extension") {
+    TEST_CASE("atomic file: group and mode stay, what lets a program run as somebody else does not") {
         const TemporaryFolder folder;
-        const fs::path file = folder / "picture.exr";
-        write_file_atomically(file, [&](const fs::path& temporary) {
-            CHECK(temporary.extension() == ".exr");
-            CHECK(temporary.parent_path() == folder.path());
-            CHECK_FALSE(fs::exists(file));
-            write_all(temporary, "picture");
-        });
-        CHECK(read_all(file) == "picture");
-        CHECK(folder.size() == 1);
+        const fs::path file = folder / "file";
+        const auto group_of = [&] {
+            struct stat status {};
+            REQUIRE(::stat(file.c_str(), &status) == 0);
+            return status.st_gid;
+        };
+        for (const mode_t mode : {0777, 0640, 0600, 04755, 02755, 01644}) {
+            write_all(file, "old");
+            if (geteuid() == 0) REQUIRE(::chown(file.c_str(), 12, 34) == 0);
+            REQUIRE(::chmod(file.c_str(), mode) == 0);
+            const gid_t group = group_of();
+            write_file_atomically(file, "new");
+            struct stat status {};
+            REQUIRE(::stat(file.c_str(), &status) == 0);
+            CHECK((status.st_mode & 07777) == (mode & 0777));
+            CHECK(status.st_gid == group);
+            if (geteuid() == 0) CHECK(status.st_uid == 12);
+        }
+        const mode_t before = ::umask(027);
+        write_file_atomically(folder / "fresh", "new");
+        ::umask(before);
+        CHECK(fs::status(folder / "fresh").permissions() == fs::perms(0640));
     }
 
-    TEST_CASE("atomic file: a callback that throws, or loses the file, leaves nothing") {
+    TEST_CASE("atomic file: what a killed program left is removed, and nothing else") {
         const TemporaryFolder folder;
-        const fs::path file = folder / "picture.exr";
-        const auto throws = [](const fs::path& temporary) {
-            write_all(temporary, "half");
-            throw std::runtime_error("stopped");
-        };
-        CHECK_THROWS_WITH_AS(write_file_atomically(file, throws), "stopped", std::runtime_error);
-        CHECK(folder.size() == 0);
-        const std::string line = user_error_of(
-            [&] { write_file_atomically(file, [](const fs::path& temporary) { fs::remove(temporary); }); });
-        CHECK(line.find("No such file or directory") != std::string::npos);
-        CHECK(folder.size() == 0);
+        const std::string left = ".nacre-4711-0123456789abcdef", alive = ".nacre-4711-fedcba9876543210";
+        write_all(folder / left, "half");
+        write_all(folder / alive, "half");
+        const int descriptor = ::open((folder / alive).c_str(), O_RDONLY);
+        REQUIRE(::flock(descriptor, LOCK_EX) == 0);
+        const char* others[] = {".nacre-notes",
+                                ".nacre-4711-0123456789abcde",
+                                ".nacre-4711-0123456789abcdef0",
+                                ".nacre-4711-0123456789ABCDEF",
+                                ".nacre--0123456789abcdef",
+                                ".nacre-47x1-0123456789abcdef",
+                                "x.nacre-4711-0123456789abcdef",
+                                ".nacre-4711-0123456789abcdef.png"};
+        for (const char* name : others) write_all(folder / name, "the user's");
+        fs::create_directory(folder / ".nacre-1-0000000000000001");
+        REQUIRE(mkfifo((folder / ".nacre-1-0000000000000002").c_str(), 0600) == 0);
+        fs::create_symlink("a.png", folder / ".nacre-1-0000000000000003");
+        const std::size_t rest = folder.size() - 1;
+        SUBCASE("by one file") { write_file_atomically(folder / "a.png", "new"); }
+        SUBCASE("by a numbered file") { write_numbered_file(folder.path(), "a", ".png", "new"); }
+        SUBCASE("by files together") { write_files_atomically({{folder / "a.png", "new"}}); }
+        CHECK(!fs::exists(folder / left));
+        CHECK(folder.size() == rest + 1);
+        CHECK(read_all(folder / alive) == "half");
+        for (const char* name : others) CHECK(read_all(folder / name) == "the user's");
+        ::close(descriptor);
+        write_file_atomically(folder / "a.png", "newer");
+        CHECK(!fs::exists(folder / alive));
+    }
+
+    TEST_CASE("atomic file: several files are replaced together or not at all") {
+        const TemporaryFolder folder;
+        const std::vector<FileToWrite> files = {
+            {folder / "a.exr", "new a"}, {folder / "b.exr", "new b"}, {folder / "manifest.json", "new"}};
+        write_files_atomically(files);
+        CHECK(read_all(folder / "b.exr") == "new b");
+        CHECK(folder.size() == 3);
+        write_all(folder / "a.exr", "old a");
+        write_all(folder / "manifest.json", "old");
+        fs::remove(folder / "b.exr");
+        fs::create_directory(folder / "b.exr");
+        CHECK(user_error_of([&] { write_files_atomically(files); }).starts_with((folder / "b.exr").string()));
+        {
+            const FileSizeLimit limit(4);
+            fs::remove(folder / "b.exr");
+            CHECK(user_error_of([&] {
+                      write_files_atomically(files);
+                  }).starts_with((folder / "a.exr").string()));
+        }
+        CHECK(read_all(folder / "a.exr") == "old a");
+        CHECK(read_all(folder / "manifest.json") == "old");
+        CHECK(folder.size() == 2);
+        write_files_atomically(files);
+        CHECK(read_all(folder / "a.exr") == "new a");
+        CHECK(read_all(folder / "b.exr") == "new b");
+        CHECK(read_all(folder / "manifest.json") == "new");
+        CHECK(folder.size() == 3);
+        write_files_atomically({});
+    }
+
+    TEST_CASE("atomic file: a numbered file takes the first free number and replaces nothing") {
+        const TemporaryFolder folder;
+        write_all(folder / "a-001.png", "first");
+        fs::create_symlink("nowhere", folder / "a-002.png");
+        CHECK(write_numbered_file(folder.path(), "a", ".png", "third") == folder / "a-003.png");
+        CHECK(read_all(folder / "a-001.png") == "first");
+        CHECK(read_all(folder / "a-003.png") == "third");
+        CHECK(folder.size() == 3);
+        CHECK(user_error_of([&] { write_numbered_file(folder / "none", "a", ".png", ""); }).find("a.png") !=
+              std::string::npos);
+    }
+
+    TEST_CASE("atomic file: a picture on a full disk is an error, with the old one as it was") {
+        const TemporaryFolder folder;
+        const std::vector<float> rgb(64 * 64 * 3, 0.25f);
+        for (const char* name : {"a.png", "a.exr"}) {
+            write_image(folder / name, {64, 64}, rgb);
+            const std::string old = read_all(folder / name);
+            REQUIRE(old.size() > 100);
+            std::vector<float> noise = rgb;
+            for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = static_cast<float>(i % 251) / 251;
+            std::string line;
+            {
+                const FileSizeLimit limit(old.size() + 10);
+                line = user_error_of([&] { write_image(folder / name, {64, 64}, noise); });
+            }
+            CHECK(line.find("(File too large)") != std::string::npos);
+            CHECK(read_all(folder / name) == old);
+        }
+        CHECK(folder.size() == 2);
     }
 }

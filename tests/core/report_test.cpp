@@ -130,7 +130,7 @@ TEST_CASE("the report's files are whole: CSV rows, JSON and XML") {
     for (const DesignAccuracy& report : reports)
         for (const ChartOf quantity : {ChartOf::area, ChartOf::albedo})
             CHECK(is_well_formed(svg_chart(accuracy_chart(report, quantity))));
-    CHECK(chart_file(reports[0], ChartOf::albedo) == "stem-R.svg");
+    CHECK(chart_file(reports[0].file, ChartOf::albedo) == "stem-R.svg");
     const std::string markdown = accuracy_markdown(reports);
     for (const char* part :
          {"## Summary", "A \\<wild\\> \\& ", "stem-g.svg", "left out:", "with all of these"})

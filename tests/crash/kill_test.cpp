@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -158,6 +159,12 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
     return files;
 }
 
+std::ptrdiff_t temporary_files(const fs::path& folder) {
+    return std::count_if(fs::recursive_directory_iterator(folder), {}, [](const fs::directory_entry& entry) {
+        return entry.path().filename().string().starts_with(".nacre-");
+    });
+}
+
 }  // namespace
 
 TEST_CASE("crash: killed while painting, at most the last stroke is lost") {
@@ -201,7 +208,8 @@ TEST_CASE("crash: killed while saving, the file is the last save or the one befo
     }
 }
 
-TEST_CASE("crash: killed while exporting, every file is whole and tables stand beside their manifest") {
+TEST_CASE(
+    "crash: killed while exporting, files are whole, beside their manifest, and the next export tidies up") {
     std::mt19937 random(3);
     const Exports exports;
     std::map<std::string, std::string> expected[2];
@@ -211,6 +219,7 @@ TEST_CASE("crash: killed while exporting, every file is whole and tables stand b
         expected[which] = contents(folder.path());
     }
     REQUIRE(expected[0] != expected[1]);
+    std::ptrdiff_t left_behind = 0;
     for (int i = 0; i < kills(0.33); ++i) {
         const TemporaryFolder folder;
         kill_one("export", folder.path(), 0.15, random);
@@ -227,5 +236,10 @@ TEST_CASE("crash: killed while exporting, every file is whole and tables stand b
                 if (name.starts_with("out-exr/")) CHECK_MESSAGE(bytes == like[name], name);
         }
         CHECK(!found.empty());
+        left_behind += temporary_files(folder.path());
+        exports.write(1, folder.path());
+        CHECK(temporary_files(folder.path()) == 0);
+        CHECK(contents(folder.path()) == expected[1]);
     }
+    CHECK((left_behind > 0 || kills(0.33) < 10));
 }
