@@ -16,7 +16,7 @@ using Pair = Values<2>;
 
 constexpr double check_tolerance = 1e-9;
 constexpr int depth = 18;
-constexpr int grid_side = 600;  // points along azimuth and along the angle from the axis, with a picture
+constexpr int grid_side = 1500;  // points along azimuth and along the angle from the axis, with a picture
 
 bool holds_picture(const Layer& layer) {
     return layer.modulation.has_value() || std::holds_alternative<PaintedLobe>(layer.lobe);

@@ -13,7 +13,8 @@ struct FacetIntegral {
     double visible = 0;  // integral of (k.h)+ p(h) dh
 };
 
-// Adaptive for smooth lobes (1e-8 of either), a dense fixed grid where a picture takes part (about 1e-3).
+// Adaptive for smooth lobes (1e-8 of either), a dense fixed grid where a picture takes part
+// (about 1e-5, 1e-4 where its texels are noise).
 FacetIntegral integrate_facets(const Distribution& design, const FacetDistribution& distribution, dvec3 k,
                                std::stop_token stop = {});
 

@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double smooth_tolerance = 1e-6, picture_tolerance = 2e-3;  // of an integral over p
+constexpr double smooth_tolerance = 1e-6, picture_tolerance = 2e-4;  // of an integral over p
 constexpr double upright_degrees = 0.01;                             // H counts as parallel to n
 constexpr int furnace_directions = 8;
 constexpr int reciprocity_pairs = 20000;

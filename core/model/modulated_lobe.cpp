@@ -21,7 +21,7 @@ class Modulated final : public LobeModel {
         : base_(std::move(base)),
           factor_(modulation),
           side_(fineness == Fineness::bake ? 128 : 512),
-          pieces_a_texel_(fineness == Fineness::bake ? 1 : 2) {
+          pieces_a_texel_(fineness == Fineness::bake ? 1 : 6) {
         for (const LobeSpan& span : base_->spans()) pyramids_.push_back(make_pyramid(span));
     }
 
@@ -100,16 +100,17 @@ class Modulated final : public LobeModel {
         return std::clamp(static_cast<int>(std::ceil(pieces)), 1, pieces_most);
     }
 
-    // t from low to high on the great circle at psi, cut where p has a corner: at the lobe's own, and where
-    // the circle, on the disk a straight line from its middle, crosses the lines between middles of texels.
-    void cut_line(const LobeSpan& span, double low, double high, double psi,
+    // t from low to high on the great circle at an azimuth, cut where p has a corner: at the lobe's own, and
+    // where the circle, on the disk a straight line from its middle, crosses the lines between middles of
+    // texels.
+    void cut_line(const LobeSpan& span, double low, double high, dvec2 azimuth,
                   std::vector<double>& cuts) const {
         cuts = {low, high};
         const auto add = [&](double t) {
             if (t > low && t < high) cuts.push_back(t);
         };
         for (const double angle : span.breaks) add(std::cos(angle));
-        const dvec2 along(span.stretch.x * std::cos(psi), span.stretch.y * std::sin(psi));
+        const dvec2 along = span.stretch * azimuth;
         const double stretch = glm::length(along);
         const auto radius = [&](double t) {  // of the disk: 1 - h.z = r^2
             const double rise = stretch * std::sqrt(std::max(1 - t * t, 0.0));
@@ -135,17 +136,17 @@ class Modulated final : public LobeModel {
     void visit_cell(const LobeSpan& span, int row, int column, const Visit& visit) const {
         const double turn = 2 * std::numbers::pi / side_;
         const double low = static_cast<double>(row) / side_, high = (row + 1.0) / side_;
-        const auto corner = [&](double t, int c) { return span_point(span, t, c * turn).h; };
+        const auto corner = [&](double t, int c) { return span_point(span, t, unit_vector(c * turn)).h; };
         const int columns = std::max(pieces_between(corner(low, column), corner(low, column + 1)),
                                      pieces_between(corner(high, column), corner(high, column + 1)));
         std::vector<double> cuts;
         for (int j = 0; j < 2 * columns; ++j) {
-            const double psi = turn * (column + place(j, columns));
-            cut_line(span, low, high, psi, cuts);
+            const dvec2 azimuth = unit_vector(turn * (column + place(j, columns)));
+            cut_line(span, low, high, azimuth, cuts);
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
                 for (int point = 0; point < 2; ++point) {
                     const double length = cuts[i + 1] - cuts[i];
-                    const SpanPoint at = span_point(span, cuts[i] + length * place(point, 1), psi);
+                    const SpanPoint at = span_point(span, cuts[i] + length * place(point, 1), azimuth);
                     visit(at.h, density(at.h) * at.solid_angle * turn * length / (4.0 * columns));
                 }
         }
@@ -164,7 +165,9 @@ class Modulated final : public LobeModel {
     // A cell is a box; a tent with its second moments is 1/sqrt(2) as wide, to either side.
     Spread spread_of(const LobeSpan& span, double row, double column) const {
         const auto h = [&](double r, double c) {
-            return span_point(span, std::clamp(r / side_, 0.0, 1.0), 2 * std::numbers::pi * c / side_).h;
+            return span_point(span, std::clamp(r / side_, 0.0, 1.0),
+                              unit_vector(2 * std::numbers::pi * c / side_))
+                .h;
         };
         const double half = 0.5, part = 1 / std::numbers::sqrt2;
         Spread spread = spread_along(part * (h(row + half, column) - h(row - half, column)));

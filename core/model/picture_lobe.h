@@ -17,8 +17,10 @@ std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modula
 // A painted lobe after a brush has touched its raster.
 struct Repaint {
     std::shared_ptr<const LobeModel>
-        lobe;                    // to the bit what make_painted_lobe() makes, at the cost of the touch
-    std::vector<Facet> changes;  // in the lobe's frame; mass is what was added, of either sign
+        lobe;  // to the bit what make_painted_lobe() makes, at the cost of the touch
+    // In the lobe's frame; mass is what was added, of either sign. That each stands for a small patch, which
+    // the lobe's g knows, is left out.
+    std::vector<Facet> changes;
 };
 
 // Nothing where `before` is not the painted lobe of a raster of the same size with the same modulation.

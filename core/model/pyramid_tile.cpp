@@ -58,8 +58,7 @@ PyramidCell leaf_cell(const Facet* facets, LeafBlock& leaf, double& mass) {
         const dvec3 away = facets[i].h - cell.centre;
         if (facets[i].mass > 0) square = std::max(square, glm::dot(away, away));
     }
-    const Spread& spread = leaf.spread;
-    cell.radius = std::sqrt(square) + std::sqrt(spread.xx + spread.yy + spread.zz);
+    cell.radius = std::sqrt(square) + leaf.spread.half_width();
     return cell;
 }
 

@@ -87,14 +87,6 @@ std::vector<double> cuts(double low, double high, int side) {
     return at;
 }
 
-// Moments of one tent times a factor.
-struct Moments {
-    double weight = 0;
-    dvec3 h{0};
-
-    Facet facet() const { return weight > 0 ? Facet{h / weight, weight} : Facet{}; }
-};
-
 // The tent of a texel in one direction: from its middle to its neighbours', or flat on to the border.
 double tent(int side, int index, double at) {
     const double off = (at - middle_of(side, index)) * 0.5 * side;
@@ -102,30 +94,26 @@ double tent(int side, int index, double at) {
     return std::max(1 - std::fabs(off), 0.0);
 }
 
-template <class Factor>
-Moments tent_moments(int side, int x, int y, const Factor& factor, int factor_side) {
-    Moments sum;
+Facet tent_facet(int side, int x, int y) {
+    double weight = 0;
+    dvec3 h{0};
     const double reach = 2.0 / side;
     const auto stops = [&](int index) {
         const double middle = middle_of(side, index);
-        std::vector<double> all;
-        for (const double low : {std::max(middle - reach, -1.0), middle}) {
-            const std::vector<double> part =
-                cuts(low, std::min(low < middle ? middle : middle + reach, 1.0), factor_side);
-            all.insert(all.end(), part.begin(), part.end() - 1);
-        }
-        all.push_back(std::min(middle + reach, 1.0));
+        std::vector<double> all = cuts(std::max(middle - reach, -1.0), std::min(middle + reach, 1.0), 0);
+        all.push_back(middle);
+        std::sort(all.begin(), all.end());
         return all;
     };
     const std::vector<double> xs = stops(x), ys = stops(y);
     for (std::size_t i = 0; i + 1 < xs.size(); ++i)
         for (std::size_t j = 0; j + 1 < ys.size(); ++j)
             visit_in_disk({{xs[i], ys[j]}, {xs[i + 1], ys[j + 1]}}, [&](dvec2 at, double area) {
-                const double part = 2 * area * tent(side, x, at.x) * tent(side, y, at.y) * factor(at);
-                sum.weight += part;
-                sum.h += part * disk_direction(at);
+                const double part = 2 * area * tent(side, x, at.x) * tent(side, y, at.y);
+                weight += part;
+                h += part * disk_direction(at);
             });
-    return sum;
+    return weight > 0 ? Facet{h / weight, weight} : Facet{};
 }
 
 // How far from the middle a texel's middle is, in halves of a texel.
@@ -185,9 +173,7 @@ struct TexelTents::Rim {
                 const Offset offset = Offset::of(side, side - 1 - at, column);
                 if (offset.tent_within(side)) row.first = column - middle + 1;
                 if (offset.tent_within(side) || offset.tent_without(side)) continue;
-                row.tents.push_back(tent_moments(
-                                        side, column, at, [](dvec2) { return 1.0; }, 0)
-                                        .facet());
+                row.tents.push_back(tent_facet(side, column, at));
             }
         });
     }
@@ -207,28 +193,101 @@ std::shared_ptr<const TexelTents::Rim> TexelTents::rim_of(int side) {
 
 TexelTents::TexelTents(int side) : side_(side), rim_(rim_of(side)) {}
 
+namespace {
+
+// Sums over the cells between middles, each of which adds to the tents at its corners.
+class FactorSums {
+  public:
+    struct Tent {
+        double weight = 0;
+        dvec2 moment{0};
+    };
+
+    FactorSums(int side, const TexelTents::FactorAt& factor, int factor_side) : side_(side), factor_(factor) {
+        for (int i = 0; i <= side; ++i)
+            cuts_.push_back(
+                cuts(i == 0 ? -1 : middle_of(side, i - 1), i == side ? 1 : middle_of(side, i), factor_side));
+    }
+
+    // Rows of tents from the bottom, the end not included.
+    std::vector<Tent> rows(int begin, int end) const {
+        std::vector<Tent> tents(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(side_));
+        for (int y = begin; y <= end; ++y)
+            for (int x = 0; x <= side_; ++x) add_cell(x, y, begin, end, tents);
+        return tents;
+    }
+
+  private:
+    // The cell between tents x - 1 and x, y - 1 and y.
+    void add_cell(int x, int y, int begin, int end, std::vector<Tent>& tents) const {
+        const std::vector<double>& xs = cuts_[static_cast<std::size_t>(x)];
+        const std::vector<double>& ys = cuts_[static_cast<std::size_t>(y)];
+        Tent corner[2][2];
+        for (std::size_t i = 0; i + 1 < ys.size(); ++i)
+            for (std::size_t j = 0; j + 1 < xs.size(); ++j)
+                visit_in_disk({{xs[j], ys[i]}, {xs[j + 1], ys[i + 1]}}, [&](dvec2 at, double area) {
+                    const double whole = 2 * area * factor_(at);
+                    const double right = part_of_second(xs, x, at.x), upper = part_of_second(ys, y, at.y);
+                    for (int up = 0; up < 2; ++up)
+                        for (int over = 0; over < 2; ++over) {
+                            const double part = whole * (over ? right : 1 - right) * (up ? upper : 1 - upper);
+                            corner[up][over].weight += part;
+                            corner[up][over].moment += part * at;
+                        }
+                });
+        for (int up = 0; up < 2; ++up)
+            for (int over = 0; over < 2; ++over) {
+                const int row = y - 1 + up, column = x - 1 + over;
+                if (row < begin || row >= end || column < 0 || column >= side_) continue;
+                Tent& tent = tents[static_cast<std::size_t>(row - begin) * static_cast<std::size_t>(side_) +
+                                   static_cast<std::size_t>(column)];
+                tent.weight += corner[up][over].weight;
+                tent.moment += corner[up][over].moment;
+            }
+    }
+
+    // Of the tent at a cell's upper end, at a place between both.
+    double part_of_second(const std::vector<double>& ends, int index, double at) const {
+        if (index == 0) return 1;
+        if (index == side_) return 0;
+        return (at - ends.front()) * 0.5 * side_;
+    }
+
+    int side_;
+    const TexelTents::FactorAt& factor_;
+    std::vector<std::vector<double>> cuts_;
+};
+
+}  // namespace
+
 TexelTents::TexelTents(int side, const FactorAt& factor, int factor_side) : side_(side) {
-    auto all = std::make_shared<std::vector<std::array<float, 4>>>(static_cast<std::size_t>(side) *
+    constexpr int rows_at_once = 32;
+    auto all = std::make_shared<std::vector<std::array<float, 3>>>(static_cast<std::size_t>(side) *
                                                                    static_cast<std::size_t>(side));
-    tbb::parallel_for(0, side, [&](int row) {
-        for (int column = 0; column < side; ++column) {
-            if (Offset::of(side, row, column).tent_without(side)) continue;
-            const Facet facet = tent_moments(side, column, side - 1 - row, factor, factor_side).facet();
-            (*all)[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
-                   static_cast<std::size_t>(column)] = {
-                static_cast<float>(facet.h.x), static_cast<float>(facet.h.y), static_cast<float>(facet.h.z),
-                static_cast<float>(facet.mass)};
-        }
+    const FactorSums sums(side, factor, factor_side);
+    tbb::parallel_for(0, (side + rows_at_once - 1) / rows_at_once, [&](int band) {
+        const int begin = band * rows_at_once, end = std::min(begin + rows_at_once, side);
+        const std::vector<FactorSums::Tent> tents = sums.rows(begin, end);
+        for (int y = begin; y < end; ++y)
+            for (int x = 0; x < side; ++x) {
+                const FactorSums::Tent& tent =
+                    tents[static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(side) +
+                          static_cast<std::size_t>(x)];
+                if (!(tent.weight > 0)) continue;
+                const dvec2 at = tent.moment / tent.weight;
+                (*all)[static_cast<std::size_t>(side - 1 - y) * static_cast<std::size_t>(side) +
+                       static_cast<std::size_t>(x)] = {static_cast<float>(at.x), static_cast<float>(at.y),
+                                                       static_cast<float>(tent.weight)};
+            }
     });
     all_ = std::move(all);
 }
 
 Facet TexelTents::operator()(int row, int column) const {
     if (all_) {
-        const std::array<float, 4>& tent =
-            (*all_)[static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) +
-                    static_cast<std::size_t>(column)];
-        return {{tent[0], tent[1], tent[2]}, static_cast<double>(tent[3])};
+        const auto& [x, y, weight] = (*all_)[static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) +
+                                             static_cast<std::size_t>(column)];
+        return {mean_over_tent({x, y}, reach()), static_cast<double>(weight)};
     }
     const Offset offset = Offset::of(side_, row, column);
     if (offset.tent_within(side_))
@@ -245,6 +304,12 @@ Spread& Spread::operator+=(const Spread& other) {
     xx += other.xx, yy += other.yy, zz += other.zz;
     xy += other.xy, xz += other.xz, yz += other.yz;
     return *this;
+}
+
+double Spread::half_width() const {
+    const double trace = xx + yy + zz;
+    const double squares = xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz);
+    return std::sqrt(0.5 * (trace + std::sqrt(std::max(2 * squares - trace * trace, 0.0))));
 }
 
 Spread spread_along(dvec3 u) { return {u.x * u.x, u.y * u.y, u.z * u.z, u.x * u.y, u.x * u.z, u.y * u.z}; }

@@ -38,7 +38,7 @@ class TexelTents {
 
     int side_;
     std::shared_ptr<const Rim> rim_;
-    std::shared_ptr<const std::vector<std::array<float, 4>>> all_;  // weight and direction, with a factor
+    std::shared_ptr<const std::vector<std::array<float, 3>>> all_;  // with a factor: centre and weight
 };
 
 // Along a direction k at right angles to h a small tent about h, or anything with its second moments, spreads
@@ -47,6 +47,9 @@ struct Spread {
     double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 
     Spread& operator+=(const Spread& other);
+
+    // The largest a, of a spread along two directions.
+    double half_width() const;
 };
 
 // S = u u' + v v' + ...: of tents with half-widths u and v.

@@ -1,4 +1,4 @@
-// H, N and g of a painted layer against the plain sum over its texels.
+// H, N and g of a painted layer against plain sums over small parts of its texels.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -19,20 +19,52 @@ struct TexelSums {
     std::vector<double> areas;  // of value (h.k)+, for each view k
 };
 
+// A texel off the disk is read as the nearest on it, several as near as their mean.
+inline double texel_read(const Raster& raster, int row, int column) {
+    const auto value = [&](int r, int c) {
+        return static_cast<double>(raster.values[static_cast<std::size_t>(r * raster.width + c)]);
+    };
+    if (holds_facets(texel_point(raster.width, row, column))) return value(row, column);
+    double sum = 0;
+    int nearest = 9, count = 0;
+    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, raster.height - 1); ++r)
+        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, raster.width - 1); ++c) {
+            const int distance = (r - row) * (r - row) + (c - column) * (c - column);
+            if (!holds_facets(texel_point(raster.width, r, c)) || distance > nearest) continue;
+            if (distance < nearest) sum = count = 0;
+            nearest = distance;
+            sum += value(r, c);
+            ++count;
+        }
+    return count > 0 ? sum / count : 0;
+}
+
 inline TexelSums texel_sums(const Raster& raster, const glm::dmat3& frame, const std::vector<dvec3>& views) {
+    constexpr int parts = 4;  // of a texel, along each side
+    const int side = raster.width;
+    std::vector<double> read;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) read.push_back(texel_read(raster, row, column));
+    const auto value = [&](int row, int column) {
+        row = std::clamp(row, 0, side - 1), column = std::clamp(column, 0, side - 1);
+        return read[static_cast<std::size_t>(row * side + column)];
+    };
     TexelSums sums;
     sums.areas.resize(views.size());
-    for (int row = 0; row < raster.height; ++row)
-        for (int column = 0; column < raster.width; ++column) {
-            const glm::dvec2 point = texel_point(raster.width, row, column);
-            if (!holds_facets(point)) continue;
-            const double value =
-                static_cast<double>(raster.values[static_cast<std::size_t>(row * raster.width + column)]);
+    for (int row = 0; row < parts * side; ++row)
+        for (int column = 0; column < parts * side; ++column) {
+            const glm::dvec2 point = texel_point(parts * side, row, column);
+            const double y = (row + 0.5) / parts - 0.5, x = (column + 0.5) / parts - 0.5;
+            const int i = static_cast<int>(std::floor(y)), j = static_cast<int>(std::floor(x));
+            const double a = value(i, j), b = value(i, j + 1), c = value(i + 1, j), d = value(i + 1, j + 1);
+            if (!holds_facets(point) || a + b + c + d == 0) continue;
+            const double p =
+                (a * (j + 1 - x) + b * (x - j)) * (i + 1 - y) + (c * (j + 1 - x) + d * (x - j)) * (y - i);
             const dvec3 h = frame * disk_direction(point);
-            sums.mass += value;
-            sums.mean += value * h;
-            for (std::size_t i = 0; i < views.size(); ++i)
-                sums.areas[i] += value * std::max(glm::dot(h, views[i]), 0.0);
+            sums.mass += p;
+            sums.mean += p * h;
+            for (std::size_t k = 0; k < views.size(); ++k)
+                sums.areas[k] += p * std::max(glm::dot(h, views[k]), 0.0);
         }
     return sums;
 }
@@ -44,10 +76,10 @@ inline void check_texel_sums(const FacetDistribution& p, const Layer& layer) {
     for (int i = 0; i < 6; ++i) views.push_back(random_direction(random));
     const TexelSums sums =
         texel_sums(*std::get<PaintedLobe>(layer.lobe).image.raster, layer_frame(layer), views);
-    CHECK(glm::length(p.mean() - sums.mean / sums.mass) < 1e-12);
-    CHECK(std::abs(p.mean_cosine() - sums.mean.z / sums.mass) < 1e-12);
+    CHECK(glm::length(p.mean() - sums.mean / sums.mass) < 2e-6);
+    CHECK(std::abs(p.mean_cosine() - sums.mean.z / sums.mass) < 2e-6);
     for (std::size_t i = 0; i < views.size(); ++i)
-        CHECK(p.projected_area(views[i]) == doctest::Approx(sums.areas[i] / sums.mass).epsilon(1e-12));
+        CHECK(p.projected_area(views[i]) == doctest::Approx(sums.areas[i] / sums.mass).epsilon(1e-5));
 }
 
 }  // namespace nacre::test
