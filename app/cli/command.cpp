@@ -26,24 +26,14 @@ Option Option::excludes(Option other) const {
     return *this;
 }
 
-Option Option::within(int low, int high) const {
-    option_->check(CLI::Range(low, high));
-    return *this;
-}
-
 Option Option::within(double low, double high) const {
-    option_->check(CLI::Range(low, high));
-    return *this;
-}
-
-Option Option::finite_within(double low, double high) const {
     option_->check(CLI::Validator(
         [=](std::string& text) {
             double value = 0;
             const bool within = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
             return within ? std::string() : fmt::format("{} is no number from {} to {}", text, low, high);
         },
-        ""));
+        fmt::format("FROM {} TO {}", low, high)));
     return *this;
 }
 

@@ -24,9 +24,7 @@ class Option {
     Option excludes(Option other) const;
 
     // What values are allowed. `wrong` returns what is wrong with a text, or nothing.
-    Option within(int low, int high) const;
-    Option within(double low, double high) const;
-    Option finite_within(double low, double high) const;  // leaves out "nan" too
+    Option within(double low, double high) const;  // "nan" is in no range
     Option one_of(const std::vector<std::string>& names) const;
     Option check(const std::function<std::string(const std::string&)>& wrong) const;
 

@@ -102,10 +102,10 @@ void add_compare_options(Command& command, CompareOptions& options) {
         .one_of({"divider", "difference"})
         .needs(compare);
     command.option("--divider", options.divider, "where the divider stands, 0 to 1 (default 0.5)")
-        .finite_within(0, 1)
+        .within(0, 1)
         .needs(compare);
     command.option("--amplify", options.look.amplification, "of the difference (default 4)")
-        .finite_within(1e-6, 1e6)
+        .within(1e-6, 1e6)
         .needs(compare);
     command
         .flag("--signed", options.look.is_signed,

@@ -93,8 +93,8 @@ void add_scene_options(Command& command, SceneOptions& options) {
         .option("--light", options.light,
                 "where the light stands, degrees: theta from the viewer, phi from right toward up")
         .pair("THETA,PHI")
-        .finite_within(-360, 360);
-    command.option("--exposure", options.exposure, "EV (default 0)").finite_within(-20, 20);
+        .within(-360, 360);
+    command.option("--exposure", options.exposure, "EV (default 0)").within(-20, 20);
     std::vector<std::string> names;
     for (const EnvironmentName& known : procedural_environments()) names.push_back(known.name);
     command.option(
@@ -104,9 +104,9 @@ void add_scene_options(Command& command, SceneOptions& options) {
             "standard input",
             fmt::join(names, ", ")));
     command.option("--rotation", options.rotation, "turns the environment to the right, degrees (default 0)")
-        .finite_within(-360, 360);
+        .within(-360, 360);
     command.option("--brightness", options.brightness, "factor of the environment (default 1)")
-        .finite_within(0, 1e4);
+        .within(0, 1e4);
     command.flag("--backdrop", options.backdrop, "shows the environment behind the object");
     command.option("--samples", options.samples, "a pixel, of the environment's light (default 256)")
         .within(1, 65536);

@@ -60,15 +60,15 @@ void declare_plot(Command& command, Action& action) {
         .shows_default();
     command
         .option("--theta", options->settings.incidence, "of lobe and lobe3d: the angle of k1 from the normal")
-        .finite_within(0.0, incidence_most)
+        .within(0.0, incidence_most)
         .shows_default();
     command
         .option("--phi", options->settings.azimuth,
                 "the azimuth of the mirror direction (lobe, lobe3d) or of the half vector (slice)")
-        .finite_within(-360.0, 360.0)
+        .within(-360.0, 360.0)
         .shows_default();
     command.option("--phi-d", options->settings.turn, "of slice: the azimuth of the difference vector")
-        .finite_within(-360.0, 360.0)
+        .within(-360.0, 360.0)
         .shows_default();
     command.option("--scale", options->scale, "linear or log (default: log for slice, else linear)")
         .one_of({"linear", "log"});

@@ -84,7 +84,11 @@ int main(int argc, char** argv) {
     Arguments arguments;
     options.add_option("DESIGN", arguments.design, "a .nacre file to open");
     options.add_option("--ui-scale", arguments.ui_scale, "size of text and widgets; 1 is normal")
-        ->check(CLI::Range(0.5, 4.0));
+        ->check([](const std::string& text) {
+            double scale = 0;
+            const bool within = CLI::detail::lexical_cast(text, scale) && scale >= 0.5 && scale <= 4;
+            return within ? std::string() : text + " is no number from 0.5 to 4";
+        });
     options.set_version_flag("--version", NACRE_VERSION);
     // For tests/bench/start.sh: ends with the first shaded picture and prints when it came.
     options.add_flag("--time-start", arguments.time_start)->group("");
