@@ -58,7 +58,12 @@ void options(ExportDialog& dialog) {
              "albedo R in parts of the light that falls in. Smaller errors need larger tables; all of them "
              "together never take more than 64 KiB."},
         dialog.tolerance);
-    ImGui::Dummy(ImVec2(0, ImGui::GetFrameHeight()));  // as high as the two rows of a picture
+    if (dialog.formats[dialog.chosen].has_names)
+        text_field(
+            "Prefix", dialog.prefix, "",
+            "What the names in the file begin with. Designs with different prefixes fit into one shader.");
+    else
+        ImGui::Dummy(ImVec2(0, ImGui::GetFrameHeight()));  // as high as the two rows of a picture
 }
 
 }  // namespace
@@ -77,13 +82,16 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2 * width - ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
     DialogAnswer answer = DialogAnswer::none;
-    if (button("Choose file\u2026##Choose export file", "Where it goes.", true, width))
+    const bool sound = !dialog.formats[dialog.chosen].has_names || dialog.prefix_problem.empty();
+    const std::string reason = "The prefix " + dialog.prefix_problem + ".";
+    if (button("Choose file\u2026##Choose export file", sound ? "Where it goes." : reason.c_str(), sound,
+               width))
         answer = DialogAnswer::accepted;
     ImGui::PopStyleColor();
     ImGui::SameLine();
     if (button("Cancel", nullptr, true, width)) answer = DialogAnswer::cancelled;
     const ImGuiIO& io = ImGui::GetIO();
-    if (!io.WantTextInput && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false))
+    if (sound && !io.WantTextInput && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false))
         answer = DialogAnswer::accepted;
     if (take_escape()) answer = DialogAnswer::cancelled;
     end_dialog(answer != DialogAnswer::none);

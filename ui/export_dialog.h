@@ -13,6 +13,7 @@ struct ExportChoice {
     std::string title;
     std::string about;
     bool is_picture = false;  // has a size; else an error that its tables are made for
+    bool has_names = false;   // that begin with a prefix
 };
 
 // Open for as long as export_dialog() is called.
@@ -21,6 +22,8 @@ struct ExportDialog {
     std::size_t chosen = 0;
     double tolerance = 1e-3;             // of g relative, of R absolute
     double width = 1024, height = 1024;  // pixels
+    std::string prefix = "nacre";
+    std::string prefix_problem;  // empty: nothing is wrong with it
 };
 
 DialogAnswer export_dialog(ExportDialog& dialog);

@@ -20,7 +20,7 @@ struct ExportOptions {
     std::string format;
     std::string output;
     bool list = false;
-    BakeOptions bake = {};
+    ExportSettings settings = {};
 };
 
 std::string list_of_formats() {
@@ -45,7 +45,7 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
                   files_of(design, options.design));
     const ExportWriter write = about_file(options.design, [&] {
         Progress progress("baking");
-        return format->prepare(design, options.bake, interrupt.token(),
+        return format->prepare(design, options.settings, interrupt.token(),
                                [&](double done) { progress.report(done); });
     });
     if (to_stream) {
@@ -65,13 +65,22 @@ void declare_export(Command& command, Action& action) {
     const auto format = command.option("--to", options->format, "a format of --list");
     const auto output = command.option("-o,--output", options->output,
                                        "the file or folder to write; - is standard output, for a file");
-    add_tolerance_option(command, options->bake);
+    add_tolerance_option(command, options->settings.bake);
+    const auto prefix =
+        command
+            .option("--prefix", options->settings.prefix,
+                    "what the names in the file begin with, where a format has names, so that "
+                    "several designs fit into one shader")
+            .shows_default()
+            .check(prefix_problem);
     command.when_chosen([=, &action] {
         if (!list.given())
             for (const Option needed : {design, format, output}) needed.demand();
         const ExportFormat* chosen = export_format(options->format);
         if (options->output == stream_name && chosen != nullptr && chosen->extension.empty())
             throw_wrong_usage("-o -: " + options->format + " is a folder of files");
+        if (prefix.given() && chosen && !chosen->has_names)
+            throw_wrong_usage(fmt::format("--prefix: the format {} has no names", chosen->name));
         action = [options](Interrupt& interrupt) { return export_design(*options, interrupt); };
     });
 }

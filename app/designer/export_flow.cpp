@@ -56,12 +56,14 @@ std::string replaced(const fs::path& output) {
 
 ExportFlow::ExportFlow() {
     for (const ExportFormat& format : export_formats())
-        dialog_.formats.push_back({std::string(format.title), std::string(format.about), false});
+        dialog_.formats.push_back(
+            {std::string(format.title), std::string(format.about), false, format.has_names});
     for (const PictureFormat& format : pictures)
-        dialog_.formats.push_back({format.title, format.about, true});
+        dialog_.formats.push_back({format.title, format.about, true, false});
 }
 
 void ExportFlow::draw_options(const Document& document) {
+    dialog_.prefix_problem = prefix_problem(dialog_.prefix);
     const ui::DialogAnswer answer = ui::export_dialog(dialog_);
     if (answer == ui::DialogAnswer::cancelled) step_ = Step::none;
     if (answer == ui::DialogAnswer::accepted) ask_file(document);
@@ -143,12 +145,12 @@ void ExportFlow::start_work(const Document& document, PreviewPane& preview, cons
         return;
     }
     const ExportFormat* format = &export_formats()[dialog_.chosen];
-    BakeOptions options;
-    options.tolerance = dialog_.tolerance;
+    ExportSettings settings{.prefix = dialog_.prefix};
+    settings.bake.tolerance = dialog_.tolerance;
     task_.start(
         [=, design = document.design, output = output_](const std::stop_token& stop, const auto& progress) {
             setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
-            const ExportWriter write = format->prepare(design, options, stop, progress);
+            const ExportWriter write = format->prepare(design, settings, stop, progress);
             if (stop.stop_requested()) return std::string();
             write(output);
             return done;

@@ -1,5 +1,7 @@
 #include "core/exchange/export_format.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "core/exchange/atomic_file.h"
@@ -15,8 +17,11 @@ namespace fs = std::filesystem;
 
 using Progress = std::function<void(double)>;
 
-ExportWriter prepare_exr(const Design& design, BakeOptions options, const std::stop_token& stop,
+constexpr std::size_t prefix_most = 64;  // characters
+
+ExportWriter prepare_exr(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
                          const Progress& progress) {
+    BakeOptions options = settings.bake;
     options.albedo = true;
     const auto tables = bake(design, options, stop, progress);
     const TableErrors errors = measure_table_errors(*tables, Reference(design), stop);
@@ -25,9 +30,9 @@ ExportWriter prepare_exr(const Design& design, BakeOptions options, const std::s
     });
 }
 
-ExportWriter prepare_glsl(const Design& design, BakeOptions options, const std::stop_token& stop,
+ExportWriter prepare_glsl(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
                           const Progress& progress) {
-    return ExportWriter(glsl_export(design, *bake(design, options, stop, progress)));
+    return ExportWriter(glsl_export(design, *bake(design, settings.bake, stop, progress), settings.prefix));
 }
 
 std::vector<fs::path> exr_files(const Design& design, const fs::path& folder) {
@@ -37,10 +42,10 @@ std::vector<fs::path> exr_files(const Design& design, const fs::path& folder) {
 std::vector<fs::path> one_file(const Design&, const fs::path& file) { return {file}; }
 
 constexpr ExportFormat formats[] = {
-    {"exr", "Tables as EXR pictures", "a folder of tables as EXR pictures, with manifest.json", "", exr_files,
-     prepare_exr},
+    {"exr", "Tables as EXR pictures", "a folder of tables as EXR pictures, with manifest.json", "", false,
+     exr_files, prepare_exr},
     {"glsl", "GLSL function", "one file with the function nacre_brdf(k1, k2) and its tables as constants",
-     ".glsl", one_file, prepare_glsl},
+     ".glsl", true, one_file, prepare_glsl},
 };
 
 }  // namespace
@@ -53,6 +58,21 @@ void ExportWriter::operator()(const fs::path& output) const {
 }
 
 std::span<const ExportFormat> export_formats() { return formats; }
+
+std::string prefix_problem(std::string_view prefix) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+    const bool sound = !prefix.empty() && prefix.size() <= prefix_most && letter(prefix.front()) &&
+                       std::all_of(prefix.begin(), prefix.end(), allowed);
+    if (!sound)
+        return fmt::format("must be 1 to {} letters a to z, digits and underscores, a letter first",
+                           prefix_most);
+    // GLSL keeps these for itself (GLSL 3.30, 3.7); the underscore that joins prefix and name counts too.
+    if (prefix.starts_with("gl_") || prefix == "gl") return "must not begin with gl_";
+    if (prefix.find("__") != prefix.npos || prefix.back() == '_')
+        return "must hold no two underscores in a row and end in none: one is put after it";
+    return {};
+}
 
 const ExportFormat* export_format(std::string_view name) {
     const auto found = std::find_if(std::begin(formats), std::end(formats),

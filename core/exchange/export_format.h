@@ -32,19 +32,28 @@ class ExportWriter {
     std::function<void(const std::filesystem::path& folder)> fill_;  // of a format that is a folder
 };
 
+struct ExportSettings {
+    BakeOptions bake = {};
+    std::string prefix = "nacre";  // of every name that a file in a shading language defines
+};
+
 struct ExportFormat {
     std::string_view name;       // as `nacre-cli export --to` takes it
     std::string_view title;      // as a menu shows it
     std::string_view about;      // one line
     std::string_view extension;  // of its file; empty: it is a folder
+    bool has_names;              // it defines names, which begin with ExportSettings::prefix
     // Every file that it may write.
     std::vector<std::filesystem::path> (*files)(const Design& design, const std::filesystem::path& output);
     // Bakes, measures and composes what writes it. Throws what bake() throws.
-    ExportWriter (*prepare)(const Design& design, BakeOptions options, const std::stop_token& stop,
+    ExportWriter (*prepare)(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
                             const std::function<void(double)>& progress);
 };
 
 std::span<const ExportFormat> export_formats();
+
+// What is wrong with a prefix of names, or nothing: letters, digits and single underscores, a letter first.
+std::string prefix_problem(std::string_view prefix);
 
 // Null for a name that is none.
 const ExportFormat* export_format(std::string_view name);

@@ -63,9 +63,9 @@ std::string constants(const Tables& tables) {
     return text + ");\n\nfloat fetch(int index) {\n    return data[index];\n}\n";
 }
 
-// Every name that the text defines outside a function gets the prefix, so that it can be pasted into any
-// shader.
-std::string prefixed(std::string text) {
+// Every name that the text defines outside a function gets the prefix and an underscore, so that it can be
+// pasted into any shader.
+std::string prefixed(std::string text, const std::string& prefix) {
     static const std::regex definition(
         R"((?:^|\n)(?:#define |struct |const (?:float|int|Surface|Layer) |CONSTANT (?:int|scalar) |)"
         R"((?:PURE )?(?:float|real3|real2|real|int|integer|condition|TableRows|TableSpot|AlbedoSpot|Direction|HalfVector) (?=\w+\())(\w+))");
@@ -79,7 +79,7 @@ std::string prefixed(std::string text) {
         const std::size_t at = static_cast<std::size_t>(match->position());
         result.append(text, done, at - done);
         const bool member = at > 0 && text[at - 1] == '.';
-        result += !member && names.count(match->str()) ? "nacre_" + match->str() : match->str();
+        result += !member && names.count(match->str()) ? prefix + "_" + match->str() : match->str();
         done = at + static_cast<std::size_t>(match->length());
     }
     return result + text.substr(done);
@@ -93,21 +93,23 @@ std::string without_comments(const std::string& text) {
 
 }  // namespace
 
-std::string glsl_export(const Design& design, const Tables& tables) {
+std::string glsl_export(const Design& design, const Tables& tables, const std::string& prefix) {
     ShaderVariant variant = variant_of(tables.shading);
     std::string body =
         variant_definitions(variant) + shared_parameters() + constants(tables) + shared_mathematics();
     std::string head = fmt::format(
-        "// {}: a BRDF made by Nacre (Ashikhmin, Premoze, Shirley 2000). GLSL 3.30 or later.\n"
-        "//   vec3 nacre_brdf(vec3 k1, vec3 k2)  1/sr; unit vectors away from the surface, x tangent, y "
+        "// {0}: a BRDF made by Nacre (Ashikhmin, Premoze, Shirley 2000). GLSL 3.30 or later.\n"
+        "// vec3 {1}_brdf(vec3 k1, vec3 k2): 1/sr. Unit vectors away from the surface, x tangent, y "
         "bitangent,\n"
-        "//                                      z normal; 0 where either is not above the horizon.\n",
-        one_line(design.name, 80));
+        "//     z normal; 0 where either is not above the horizon.\n",
+        one_line(design.name, 80), prefix);
     if (tables.plan.albedo)
-        head += "//   vec3 nacre_albedo(vec3 k)          albedo of the whole BRDF toward k, k.z > 0.\n";
-    std::string text = head + prefixed(without_comments(body));
+        head +=
+            fmt::format("// vec3 {}_albedo(vec3 k): albedo of the whole BRDF toward k, k.z > 0.\n", prefix);
+    std::string text = head + prefixed(without_comments(body), prefix);
     if (tables.plan.albedo)
-        text += "\nvec3 nacre_albedo(vec3 k) {\n    return nacre_total_albedo(nacre_direction(k));\n}\n";
+        text += fmt::format(
+            "\nvec3 {0}_albedo(vec3 k) {{\n    return {0}_total_albedo({0}_direction(k));\n}}\n", prefix);
     return text;
 }
 

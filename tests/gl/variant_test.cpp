@@ -121,6 +121,19 @@ TEST_CASE("glslangValidator accepts every preset's variant and exported function
     CHECK(validate(shaders) == "");
 }
 
+TEST_CASE("every preset's exported function fits into one shader with a prefix of its own") {
+    std::string functions, sum;
+    int index = 0;
+    for (const Design& design : presets()) {
+        const std::string prefix = fmt::format("material{}", index++);
+        functions += glsl_export(design, *bake(design, {.quality = Quality::draft}), prefix);
+        sum += fmt::format(" + {}_brdf(vec3(0, 0, 1), vec3(0.6, 0, 0.8))", prefix);
+    }
+    CHECK(functions.find("nacre_") == functions.npos);
+    const std::string body = "out vec4 value;\nvoid main() { value = vec4(vec3(0)" + sum + ", 1.0); }\n";
+    CHECK(validate({{"together.frag", "#version 330 core\n" + functions + body}}) == "");
+}
+
 TEST_CASE("the validator would notice") {
     CHECK(validate({{"bad.frag", "#version 330 core\nvoid main() { x = 1; }\n"}}) != "");
 }
