@@ -10,15 +10,20 @@
 namespace nacre {
 namespace {
 
-// Plain text in a table's cell.
-std::string cell(const std::string& text) {
+std::string escaped(const std::string& text, std::string_view special) {
     std::string safe;
-    for (const char c : one_line(text)) {
-        if (std::string_view("\\|`*_<>[]&").find(c) != std::string_view::npos) safe += '\\';
+    for (const char c : text) {
+        if (special.find(c) != special.npos) safe += '\\';
         safe += c;
     }
     return safe;
 }
+
+// Plain text in a table's cell or a heading.
+std::string cell(const std::string& text) { return escaped(one_line(text), "\\|`*_<>[]&#~$!"); }
+
+// A file's name as the target of a link, between < and >.
+std::string markdown_target(const std::string& file) { return escaped(file, "\\<>"); }
 
 std::string time_text(double seconds) {
     if (seconds < 1e-3) return fmt::format("{:.3g} µs", 1e6 * seconds);
@@ -151,8 +156,9 @@ std::string design_section(const DesignAccuracy& design) {
     return fmt::format(
         "\n## {}\n\n![g](<{}>)\n\n![R](<{}>)\n\n{}\nWhat is left out, and what it would cost to have "
         "it:\n\n{}",
-        design_name(design), chart_file(design.file, ChartOf::area), chart_file(design.file, ChartOf::albedo),
-        way_tables(design), cost_table(design.costs));
+        design_name(design), markdown_target(chart_file(design.file, ChartOf::area)),
+        markdown_target(chart_file(design.file, ChartOf::albedo)), way_tables(design),
+        cost_table(design.costs));
 }
 
 std::string about_ways(const std::vector<DesignAccuracy>& designs) {

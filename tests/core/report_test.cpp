@@ -9,6 +9,7 @@
 #include "core/bake/bake.h"
 #include "core/exchange/accuracy_chart.h"
 #include "core/exchange/accuracy_text.h"
+#include "core/exchange/csv_field.h"
 #include "core/exchange/log_chart.h"
 #include "core/exchange/shader_size.h"
 #include "core/exchange/xml_text.h"
@@ -135,6 +136,22 @@ TEST_CASE("the report's files are whole: CSV rows, JSON and XML") {
     for (const char* part :
          {"## Summary", "A \\<wild\\> \\& ", "stem-g.svg", "left out:", "with all of these"})
         CHECK_MESSAGE(markdown.find(part) != std::string::npos, part);
+}
+
+TEST_CASE("a name is text in a spreadsheet and in Markdown, whatever it begins with or holds") {
+    CHECK(csv_field("plain") == "plain");
+    CHECK(csv_field("a,b") == "\"a,b\"");
+    for (const std::string text : {"=1+1", "+1", "-1", "@SUM(A1)", "\tx", "\rx"})
+        CHECK(csv_field(text) == "\"'" + text + "\"");
+    CHECK(csv_field("=\"x\"") == "\"'=\"\"x\"\"\"");
+
+    DesignAccuracy report = small_report(brushed());
+    report.name = "=cmd|'/c calc'!A1 # ~~x~~ $y$";
+    report.file = "a>b (c)<d\\";
+    CHECK(accuracy_csv({report}).find("\r\n\"'=cmd|'/c calc'!A1") != std::string::npos);
+    const std::string markdown = accuracy_markdown({report});
+    CHECK(markdown.find("=cmd\\|'/c calc'\\!A1 \\# \\~\\~x\\~\\~ \\$y\\$") != std::string::npos);
+    CHECK(markdown.find("![g](<a\\>b (c)\\<d\\\\-g.svg>)") != std::string::npos);
 }
 
 TEST_CASE("a chart of nothing, of one point and of absurd ones is still XML") {
