@@ -37,10 +37,29 @@ std::vector<ImWchar> code_points(const std::string& utf8) {
     return codes;
 }
 
+double advance(const ImFont& font, ImWchar code) {
+    return static_cast<double>(font.FindGlyph(code)->AdvanceX) / oversampling;
+}
+
 double text_width(const ImFont& font, const std::vector<ImWchar>& codes) {
     double sum = 0;
-    for (const ImWchar code : codes) sum += static_cast<double>(font.FindGlyph(code)->AdvanceX);
-    return sum / oversampling;
+    for (const ImWchar code : codes) sum += advance(font, code);
+    return sum;
+}
+
+// As much of the text as fits, with an ellipsis where some is left out.
+void shorten(std::vector<ImWchar>& codes, const ImFont& font, double width_max) {
+    constexpr ImWchar ellipsis = 0x2026;
+    const double room = width_max - advance(font, ellipsis);
+    double width = 0;
+    std::size_t fits = 0;  // with an ellipsis after them
+    for (std::size_t i = 0; i < codes.size() && width <= width_max; ++i) {
+        width += advance(font, codes[i]);
+        if (width <= room) fits = i + 1;
+    }
+    if (width <= width_max) return;
+    codes.resize(fits);
+    codes.push_back(ellipsis);
 }
 
 void blend(RenderedImage& image, int x, int y, float coverage, float grey) {
@@ -74,10 +93,7 @@ void CaptionFont::draw(RenderedImage& image, const std::string& utf8, double x, 
                        float grey) const {
     const ImFont& font = *atlas_->Fonts[0];
     std::vector<ImWchar> codes = code_points(utf8);
-    if (text_width(font, codes) > width_max) {
-        codes.push_back(0x2026);
-        while (codes.size() > 1 && text_width(font, codes) > width_max) codes.erase(codes.end() - 2);
-    }
+    shorten(codes, font, width_max);
     unsigned char* texels = nullptr;
     int columns = 0, rows = 0;
     atlas_->GetTexDataAsAlpha8(&texels, &columns, &rows);

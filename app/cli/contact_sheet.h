@@ -8,11 +8,26 @@
 
 namespace nacre::cli {
 
-struct SheetPicture {
-    std::string name;
-    RenderedImage image;  // all of one size
-};
+// Of one sheet: eight rows of eight are as many as a screen shows.
+inline constexpr std::size_t sheet_pictures_most = 64;
 
-RenderedImage contact_sheet(const std::vector<SheetPicture>& pictures);
+class ContactSheet {
+  public:
+    // All pictures are of one size. Only a thumbnail of it is kept.
+    void add(std::string name, const RenderedImage& image);
+
+    bool empty() const { return thumbnails_.empty(); }
+    bool full() const { return thumbnails_.size() >= sheet_pictures_most; }
+
+    // The sheet of what was added, which is forgotten; one picture at least.
+    RenderedImage take();
+
+  private:
+    struct Thumbnail {
+        std::string name;
+        RenderedImage image;
+    };
+    std::vector<Thumbnail> thumbnails_;
+};
 
 }  // namespace nacre::cli

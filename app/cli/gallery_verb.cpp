@@ -45,12 +45,21 @@ std::vector<fs::path> designs_in(const fs::path& folder) {
     return files;
 }
 
-// The picture of each design, all of them other files than the contact sheet.
-std::vector<fs::path> pictures_of(const std::vector<fs::path>& designs, const fs::path& folder) {
+// contact-sheet, contact-sheet-2 and so on.
+std::vector<std::string> sheets_of(std::size_t designs) {
+    std::vector<std::string> names{sheet_name};
+    for (std::size_t i = 2; i <= (designs + sheet_pictures_most - 1) / sheet_pictures_most; ++i)
+        names.push_back(fmt::format("{}-{}", sheet_name, i));
+    return names;
+}
+
+// The picture of each design, all of them other files than the contact sheets.
+std::vector<fs::path> pictures_of(const std::vector<fs::path>& designs,
+                                  const std::vector<std::string>& sheets, const fs::path& folder) {
     std::vector<std::string> stems;
     for (const fs::path& design : designs) stems.push_back(design.stem().string());
     std::vector<fs::path> pictures;
-    for (const std::string& name : distinct_names(stems, {sheet_name}, folder))
+    for (const std::string& name : distinct_names(stems, sheets, folder))
         pictures.push_back(folder / (name + picture_ending));
     return pictures;
 }
@@ -72,8 +81,13 @@ void check_all(const std::vector<fs::path>& designs, const std::vector<fs::path>
     check_outputs(outputs, inputs);
 }
 
-SheetPicture render_one(const fs::path& file, const GalleryOptions& options, const Scene& scene,
-                        const Interrupt& interrupt) {
+struct Rendered {
+    std::string name;
+    RenderedImage image;
+};
+
+Rendered render_one(const fs::path& file, const GalleryOptions& options, const Scene& scene,
+                    const Interrupt& interrupt) {
     const Design design = load_design(file);
     RenderedImage image = about_file(file, [&] {
         return render_design(design, scene, options.size, false, interrupt.token(), {},
@@ -82,41 +96,70 @@ SheetPicture render_one(const fs::path& file, const GalleryOptions& options, con
     return {one_line(design.name.empty() ? file.stem().string() : design.name), std::move(image)};
 }
 
+// Each sheet is written when it is full, so that no more than one is held.
+class SheetWriter {
+  public:
+    SheetWriter(std::vector<std::string> names, fs::path folder, Interrupt& interrupt)
+        : names_(std::move(names)), folder_(std::move(folder)), interrupt_(interrupt) {}
+
+    void add(std::string name, const RenderedImage& image) {
+        sheet_.add(std::move(name), image);
+        if (sheet_.full()) finish();
+    }
+    void finish() {
+        if (sheet_.empty()) return;
+        const RenderedImage picture = sheet_.take();
+        const ImageBytes bytes = image_bytes(ImageFormat::png, picture.size, picture.rgb);
+        const fs::path file = folder_ / (names_[written_++] + picture_ending);
+        interrupt_.write_files([&] { write_file_atomically(file, text_of(bytes)); });
+    }
+    // What was written, in words.
+    std::string text() const {
+        return written_ == 1 ? names_.front() + picture_ending : fmt::format("{} contact sheets", written_);
+    }
+
+  private:
+    std::vector<std::string> names_;
+    fs::path folder_;
+    Interrupt& interrupt_;
+    ContactSheet sheet_;
+    std::size_t written_ = 0;
+};
+
 int gallery(const GalleryOptions& options, Interrupt& interrupt) {
     const std::vector<fs::path> files = designs_in(options.designs);
-    const std::vector<fs::path> targets = pictures_of(files, options.output);
-    const fs::path sheet_file = fs::path(options.output) / (std::string(sheet_name) + picture_ending);
+    const std::vector<std::string> sheet_names = sheets_of(files.size());
+    const std::vector<fs::path> targets = pictures_of(files, sheet_names, options.output);
     std::vector<fs::path> outputs = targets;
-    outputs.push_back(sheet_file);
+    for (const std::string& name : sheet_names)
+        outputs.push_back(fs::path(options.output) / (name + picture_ending));
     check_all(files, outputs, options.scene, interrupt);
     const Scene scene = options.scene.scene();
     make_output_folder(options.output);
     const auto context = make_offscreen_context({16, 16});
-    std::vector<SheetPicture> pictures;
+    SheetWriter sheets(sheet_names, options.output, interrupt);
+    std::size_t written = 0;
     std::vector<std::string> problems;
     {
         Progress progress("rendering");
         for (std::size_t i = 0; i < files.size(); ++i) {
             progress.report(static_cast<double>(i) / static_cast<double>(files.size()));
-            SheetPicture picture;
+            Rendered rendered;
             try {
-                picture = render_one(files[i], options, scene, interrupt);
+                rendered = render_one(files[i], options, scene, interrupt);
             } catch (const UserError& error) {
                 problems.emplace_back(error.what());
                 continue;
             }
-            const ImageBytes bytes = image_bytes(ImageFormat::png, picture.image.size, picture.image.rgb);
+            const ImageBytes bytes = image_bytes(ImageFormat::png, rendered.image.size, rendered.image.rgb);
             interrupt.write_files([&] { write_file_atomically(targets[i], text_of(bytes)); });
-            pictures.push_back(std::move(picture));
+            sheets.add(rendered.name, rendered.image);
+            ++written;
         }
-    }
-    if (!pictures.empty()) {
-        const RenderedImage sheet = contact_sheet(pictures);
-        const ImageBytes bytes = image_bytes(ImageFormat::png, sheet.size, sheet.rgb);
-        interrupt.write_files([&] { write_file_atomically(sheet_file, text_of(bytes)); });
+        sheets.finish();
     }
     for (const std::string& problem : problems) complain(problem);
-    write_output(fmt::format("{} pictures and contact-sheet.png in {}\n", pictures.size(), options.output));
+    write_output(fmt::format("{} pictures and {} in {}\n", written, sheets.text(), options.output));
     return problems.empty() ? 0 : 1;
 }
 

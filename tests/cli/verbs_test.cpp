@@ -108,11 +108,33 @@ TEST_CASE("gallery renders what it can, reports the rest, and makes a contact sh
     CHECK_MESSAGE(is_one_line_with(finished.err, {"c.nacre: line 1"}), finished.err);
 }
 
+TEST_CASE("a gallery of many designs makes several contact sheets, and a long name is cut short") {
+    const TemporaryFolder folder, output;
+    Design design = design_of(GaussianLobe{});
+    design.diffuse = NoDiffuse{};
+    design.name = std::string(40000, 'n');
+    for (int i = 0; i < 66; ++i) save_design(design, folder / fmt::format("{:02}.nacre", i));
+    CHECK(answer({"gallery", folder.path(), "-o", output.path(), "--size", "32x32"})
+              .starts_with("66 pictures and 2 contact sheets"));
+    const Raster first = load_picture(output / "contact-sheet.png", "", "", PictureShape::any);
+    const Raster second = load_picture(output / "contact-sheet-2.png", "", "", PictureShape::any);
+    CHECK(output.size() == 68);
+    CHECK(first.width > 3 * second.width);
+}
+
 TEST_CASE("export --to glsl writes the function") {
     const TemporaryFolder folder;
     const DesignOnDisk design(design_of(GaussianLobe{}));
     answer({"export", design.path(), "--to", "glsl", "-o", folder / "a.glsl"});
     CHECK(read_all(folder / "a.glsl").find("vec3 nacre_brdf(vec3 k1, vec3 k2)") != std::string::npos);
+    answer({"export", design.path(), "--to", "glsl", "-o", folder / "b.glsl", "--prefix", "satin"});
+    CHECK(read_all(folder / "b.glsl").find("vec3 satin_brdf(vec3 k1, vec3 k2)") != std::string::npos);
+    CHECK(read_all(folder / "b.glsl").find("nacre_") == std::string::npos);
+    for (const char* prefix : {"", "2nd", "a b", "a__b", "gl_a", "satin_", "satin-1", "s\xC3\xA4"})
+        CHECK(run_cli({"export", design.path(), "--to", "glsl", "-o", folder / "c.glsl", "--prefix", prefix})
+                  .code == 2);
+    CHECK(run_cli({"export", design.path(), "--to", "exr", "-o", folder / "c", "--prefix", "a"}).code == 2);
+    CHECK(folder.size() == 2);
     const std::string list = answer({"export", "--list"});
     CHECK(list.find("exr") != std::string::npos);
     CHECK(list.find("glsl") != std::string::npos);
