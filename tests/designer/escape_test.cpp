@@ -132,6 +132,33 @@ TEST_CASE("escape: a drag is taken back, whatever it pulls") {
     CHECK(r.document().history.can_undo());
 }
 
+TEST_CASE("escape: points of a curve, carried layers, plots and the line between two pictures go back too") {
+    Rig r;
+    CurveLobe curve;
+    curve.points = {{0, 1}, {20, 0.5}, {60, 0}};
+    r.layers()[0].lobe = curve;
+    r.play("frames 5\nclick \"Duplicate layer\"\nframes 30");
+    const Design design = r.document().design;
+    r.play(taken_back("\"Curve point 2\"", "\"Curve\":0.6,0.2"));
+    CHECK(r.document().design == design);
+    r.play(taken_back("\"Curve\":0.8,0.2", "\"Curve\":0.7,0.4"));  // a new point
+    CHECK(r.document().design == design);
+    r.play("move \"Layer 1\"\ndown left\nmove \"Layer 2\":0.5,0.9\nframes 3");
+    CHECK(r.designer().layers.carried);
+    r.play("key Escape\nframes 2\nup left\nframes 30");
+    CHECK(!r.designer().layers.carried);
+    CHECK(r.document().design == design);
+
+    r.play("click \"Plots\"\nframes 3\nclick \"Plot lobe\"\nwait");
+    const PlotSettings plot = r.designer().plots.state.settings;
+    r.play(taken_back("\"Plot incidence\":0.3", "\"Plot incidence\":0.8"));
+    CHECK(r.designer().plots.state.settings == plot);
+    CHECK(r.designer().plots.state.open);
+    r.play("click \"Compare\"\nframes 3\nclick \"View Divider\"\nframes 5");
+    r.play(taken_back("\"Divider\"", "\"Preview\":0.8"));
+    CHECK(r.designer().preview.look.divider == 0.5);
+}
+
 TEST_CASE("escape: what is at rest stays as it is") {
     Rig r;
     r.play("frames 30\ndrag \"Width x\":0.3 \"Width x\":0.8\nframes 30");

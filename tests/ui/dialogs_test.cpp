@@ -168,6 +168,22 @@ TEST_CASE("question: Enter and Escape in a field of it are the field's") {
     rig.enter_number("How much", "7");
     CHECK(number == 7);
     CHECK(!answer);
-    rig.key(PanelRig::enter);
-    CHECK(answer == 0);
+    SUBCASE("Enter") {
+        rig.key(PanelRig::enter);
+        CHECK(answer == 0);
+    }
+    SUBCASE("Escape: first the typed number, then the question") {
+        rig.frame(30);
+        rig.move("How much");
+        ImGui::GetIO().KeyCtrl = true;
+        rig.button(true);
+        rig.button(false);
+        ImGui::GetIO().KeyCtrl = false;
+        rig.type("3");
+        rig.key(PanelRig::escape);
+        CHECK(number == 7);
+        CHECK(!answer);
+        rig.key(PanelRig::escape);
+        CHECK(answer == 1);
+    }
 }
