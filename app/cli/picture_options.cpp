@@ -5,7 +5,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
+#include "core/design/error.h"
 #include "core/exchange/environment_file.h"
 #include "core/light/procedural.h"
 
@@ -42,9 +44,12 @@ Scene SceneOptions::scene() const {
     }
     scene.exposure = exposure;
     scene.object = make_object(object);
-    if (!environment.empty())
+    if (!environment.empty()) {
         scene.environment = {load_environment(environment), rotation, brightness, backdrop,
                              !name.empty() || !light.empty()};
+        for (const std::string& note : scene.environment.picture->notes)
+            fmt::print(stderr, "nacre-cli: {}: {}\n", one_line(environment), note);
+    }
     scene.term = term_by_name(term).value_or(Term::total);
     return scene;
 }
