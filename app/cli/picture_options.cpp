@@ -70,9 +70,11 @@ Scene SceneOptions::scene() const {
     scene.exposure = exposure;
     scene.object = make_object(object);
     if (!scene.object.note.empty()) warn(object, scene.object.note);
-    if (!environment.empty())
+    if (!environment.empty()) {
         scene.environment = {load_surrounding(environment), rotation, brightness, backdrop,
                              !name.empty() || !light.empty()};
+        for (const std::string& note : scene.environment.picture->notes) warn(environment, note);
+    }
     scene.term = term_by_name(term).value_or(Term::total);
     return scene;
 }

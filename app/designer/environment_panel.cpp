@@ -24,7 +24,8 @@ FileQuestion picture_question(const fs::path& folder) {
             .title = "Open surroundings",
             .folder = folder,
             .kind = "Picture by latitude and longitude",
-            .endings = {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".png", ".jpg", ".jpeg"}};
+            .endings = {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".ppm", ".png", ".jpg", ".jpeg", ".webp",
+                        ".tga", ".bmp", ".psd", ".dds", ".jp2", ".j2k", ".heic", ".heif", ".avif"}};
 }
 
 // A list whose entries can be found by their labels. Returns whether another was chosen.
@@ -94,6 +95,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
         }
     }
     if (!surroundings.picture) return;
+    for (const std::string& note : surroundings.picture->notes) ui::dim_text(note);
     const Surroundings usual;
     ui::slider(
         {.label = "Turn##Environment turn",

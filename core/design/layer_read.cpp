@@ -35,7 +35,7 @@ Picture read_picture(const JsonValue& json, const fs::path& base_dir) {
     const std::string path = json.text();
     if (path.empty() || path.find('\0') != path.npos) json.fail(expected);
     const fs::path file = (base_dir / path).lexically_normal();
-    return {file, std::make_shared<const Raster>(load_picture(file, json.file(), json.path()))};
+    return {file, load_shared_picture(file, json.file(), json.path())};
 }
 
 Modulation read_modulation(const JsonValue& json, const fs::path& base_dir) {

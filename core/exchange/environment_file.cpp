@@ -1,5 +1,7 @@
 #include "core/exchange/environment_file.h"
 
+#include <utility>
+
 #include "core/exchange/picture.h"
 #include "core/light/procedural.h"
 
@@ -8,7 +10,9 @@ namespace nacre {
 std::shared_ptr<const Environment> load_environment(const std::string& name_or_file) {
     if (auto picture = procedural_environment(name_or_file))
         return make_environment(name_or_file, *std::move(picture));
-    return make_environment(name_or_file, load_lat_long(name_or_file));
+    PictureNotes notes;
+    LatLong picture = load_lat_long(name_or_file, &notes);
+    return make_environment(name_or_file, std::move(picture), std::move(notes));
 }
 
 }  // namespace nacre

@@ -1,8 +1,9 @@
-// Pictures of a lobe, read with OpenImageIO.
+// Pictures that are read. One that was decoded is kept for a while, so that the same content is decoded once.
 #pragma once
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,19 @@ enum class PictureShape {
 // One sentence each, without the file.
 using PictureNotes = std::vector<std::string>;
 
-// The luminance (Rec. 709) of a picture as a square raster, a larger one averaged down to limits::raster_max.
-// Integer pictures are decoded from sRGB, so that the highlight looks like the picture; float ones
-// are linear. Alpha multiplies: where the picture is transparent there are no facets.
-// Whatever is wrong is a UserError of the design `error_file` at `error_where` that names the picture.
+// The luminance (Rec. 709) of a picture as a square raster, upright, a larger one averaged down to
+// limits::raster_max. Integers are decoded from sRGB where the file says nothing else, so that the highlight
+// looks like the picture; floats are linear. Alpha multiplies once: where the picture is transparent there
+// are no facets. Whatever is wrong is a UserError of the design `error_file` at `error_where` that names the
+// picture.
 Raster load_picture(const std::filesystem::path& file, const std::string& error_file,
                     const std::string& error_where, PictureShape shape = PictureShape::square,
                     PictureNotes* notes = nullptr);
+
+// The same, held together with others who read a file of the same content.
+std::shared_ptr<const Raster> load_shared_picture(const std::filesystem::path& file,
+                                                  const std::string& error_file,
+                                                  const std::string& error_where);
 
 // Three numbers a pixel as they are stored, integers over their largest value, without regard to alpha; a
 // grey is repeated. Upright, rows from the top. Of any shape.

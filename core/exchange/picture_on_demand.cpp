@@ -10,6 +10,7 @@
 
 #include "core/exchange/image_file.h"
 #include "core/exchange/picture.h"
+#include "core/exchange/picture_cache.h"
 #include "core/pictures/picture_module.h"
 
 namespace nacre {
@@ -45,19 +46,40 @@ const PictureModule& pictures() {
     return *loaded;
 }
 
+std::shared_ptr<const Raster> shared_raster(const fs::path& file, const std::string& error_file,
+                                            const std::string& error_where, PictureShape shape,
+                                            PictureNotes* notes) {
+    return decoded_once<Raster>(
+        file, shape == PictureShape::square ? "square" : "any", notes,
+        [&](PictureNotes& found) {
+            return pictures().load_picture(file, error_file, error_where, shape, &found);
+        },
+        [](const Raster& raster) { return raster.values.size() * sizeof(float); });
+}
+
 }  // namespace
 
 Raster load_picture(const fs::path& file, const std::string& error_file, const std::string& error_where,
                     PictureShape shape, PictureNotes* notes) {
-    return pictures().load_picture(file, error_file, error_where, shape, notes);
+    return *shared_raster(file, error_file, error_where, shape, notes);
+}
+
+std::shared_ptr<const Raster> load_shared_picture(const fs::path& file, const std::string& error_file,
+                                                  const std::string& error_where) {
+    return shared_raster(file, error_file, error_where, PictureShape::square, nullptr);
 }
 
 ColourPicture load_colours(const fs::path& file, PictureNotes* notes) {
-    return pictures().load_colours(file, notes);
+    return *decoded_once<ColourPicture>(
+        file, "colours", notes, [&](PictureNotes& found) { return pictures().load_colours(file, &found); },
+        [](const ColourPicture& picture) { return picture.colours.size() * sizeof(glm::vec3); });
 }
 
 LatLong load_lat_long(const fs::path& file, PictureNotes* notes) {
-    return pictures().load_lat_long(file, notes);
+    return *decoded_once<LatLong>(
+        file, "environment", notes,
+        [&](PictureNotes& found) { return pictures().load_lat_long(file, &found); },
+        [](const LatLong& picture) { return picture.radiance.size() * sizeof(glm::vec3); });
 }
 
 ImageBytes png_bytes(glm::ivec2 size, std::span<const std::uint8_t> pixels) {

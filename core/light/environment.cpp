@@ -67,7 +67,8 @@ std::vector<glm::ivec2> patches_in_order(const LatLong& picture) {
 
 }  // namespace
 
-std::shared_ptr<const Environment> make_environment(std::string name, LatLong picture) {
+std::shared_ptr<const Environment> make_environment(std::string name, LatLong picture,
+                                                    std::vector<std::string> notes) {
     auto environment = std::make_shared<Environment>();
     const std::vector<glm::ivec2> order = patches_in_order(picture);
     MassCells cells;
@@ -91,6 +92,7 @@ std::shared_ptr<const Environment> make_environment(std::string name, LatLong pi
     environment->light = order_directions(cells);
     environment->name = std::move(name);
     environment->picture = std::move(picture);
+    environment->notes = std::move(notes);
     return environment;
 }
 

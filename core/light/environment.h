@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/light/direction_order.h"
 #include "core/light/lat_long.h"
@@ -15,7 +16,8 @@ struct Environment {
     // Directions by the mean of the picture's three colours, its bilinear rule included. Where all is dark
     // they are any.
     DirectionOrder light;
-    double brightness = 0;  // the integral of that mean over the sphere
+    double brightness = 0;           // the integral of that mean over the sphere
+    std::vector<std::string> notes;  // what a file's reader changed or left out, in words
 
     // The density, per steradian, that `light` has where the picture has this radiance.
     double light_density(glm::dvec3 radiance) const {
@@ -23,6 +25,7 @@ struct Environment {
     }
 };
 
-std::shared_ptr<const Environment> make_environment(std::string name, LatLong picture);
+std::shared_ptr<const Environment> make_environment(std::string name, LatLong picture,
+                                                    std::vector<std::string> notes = {});
 
 }  // namespace nacre

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include "core/pictures/decoders.h"
@@ -16,17 +17,25 @@
 namespace nacre {
 namespace {
 
-// Decoders of these take memory for all pixels at once, and a small file may truly hold many that are alike.
-// Past what a picture other than an environment may have, they must show that they have something to decode.
+// Decoders of these may take memory for all pixels at once, and a small file may truly hold many that are
+// alike. Past what a picture other than an environment may have, they must show that they have something to
+// decode: PNG by what deflate can hold, 1032 bytes in one, of 1 bit a pixel.
 void check_claim(const OpenedFile& file) {
-    constexpr std::array<std::string_view, 6> at_once{"webp", "jpeg2000", "heif", "psd", "targa", "dds"};
-    constexpr double doubtful = 4096.0 * 4096.0, pixels_a_byte = 4096;
+    constexpr std::array<std::pair<std::string_view, double>, 8> pixels_a_byte{{{"webp", 4096},
+                                                                                {"jpeg2000", 4096},
+                                                                                {"heif", 4096},
+                                                                                {"psd", 4096},
+                                                                                {"targa", 4096},
+                                                                                {"dds", 4096},
+                                                                                {"jpeg", 4096},
+                                                                                {"png", 8 * 1032}}};
+    constexpr double doubtful = 4096.0 * 4096.0;
     const glm::dvec2 size = file.examined.size;
     const auto bytes = static_cast<double>(file.bytes->size());
-    if (std::find(at_once.begin(), at_once.end(), file.examined.format) != at_once.end() &&
-        size.x * size.y > std::max(doubtful, pixels_a_byte * bytes))
-        throw PictureProblem(
-            fmt::format("{} x {} pixels in a file of {} bytes", size.x, size.y, file.bytes->size()));
+    for (const auto& [format, most] : pixels_a_byte)
+        if (format == file.examined.format && size.x * size.y > std::max(doubtful, most * bytes))
+            throw PictureProblem(
+                fmt::format("{} x {} pixels in a file of {} bytes", size.x, size.y, file.bytes->size()));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/exchange/file_ending.h"
 #include "core/pictures/byte_order.h"
 #include "core/pictures/picture_problem.h"
 
@@ -61,9 +62,7 @@ bool is_tga(const FileBytes& file, std::string_view start) {
     const bool has_footer =
         file.size() >= 44 &&
         file.read(file.size() - footer_name, footer_name).starts_with("TRUEVISION-XFILE.");
-    std::string ending = file.path().extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = ending_of(file.path());
     if (!has_footer && ending != ".tga" && ending != ".tpic") return false;
     const auto has_palette = little_endian(start, 1, 1), kind = little_endian(start, 2, 1);
     const auto depth = little_endian(start, 16, 1), descriptor = little_endian(start, 17, 1);
@@ -86,27 +85,35 @@ std::string format_of(const FileBytes& file) {
         "no PNG, JPEG, EXR, TIFF, HDR, PNM, WebP, TGA, BMP, PSD, DDS, JPEG 2000 or HEIF picture");
 }
 
-// Width and height at fixed places of a header.
-void examine_fixed(const FileBytes& file, Examined& found) {
-    const std::string start = file.read(0, 64);
-    const auto size = [&](auto number, std::size_t width, std::size_t height, std::size_t length) {
-        found.size = glm::dvec2(number(start, width, length), number(start, height, length));
-    };
-    if (found.format == "targa") size(little_endian, 12, 14, 2);
-    if (found.format == "psd") size(big_endian, 18, 14, 4);
-    if (found.format == "dds") size(little_endian, 16, 12, 4);
+void examine_targa(const FileBytes& file, Examined& found) {
+    const std::string header = file.read(0, 18);
+    found.size = glm::dvec2(little_endian(header, 12, 2), little_endian(header, 14, 2));
+    found.has_no_alpha = (little_endian(header, 17, 1) & 15) == 0;
+}
+
+// Four bytes a pixel are no alpha before the header has a mask for it.
+void examine_bmp(const FileBytes& file, Examined& found) {
+    constexpr std::uint64_t with_alpha_mask = 56;
+    const std::string header = file.read(0, 70);
+    const std::uint64_t length = little_endian(header, 14, 4);
+    found.has_no_alpha = length < with_alpha_mask || length == 64 || little_endian(header, 66, 4) == 0;
+}
+
+void examine_dds(const FileBytes& file, Examined& found) {
+    const std::string header = file.read(0, 20);
+    found.size = glm::dvec2(little_endian(header, 16, 4), little_endian(header, 12, 4));
 }
 
 }  // namespace
 
 Examined examine(const FileBytes& file) {
     constexpr std::pair<std::string_view, void (*)(const FileBytes&, Examined&)> examiners[] = {
-        {"png", examine_png},          {"jpeg", examine_jpeg}, {"hdr", examine_hdr},
-        {"openexr", examine_exr},      {"webp", examine_webp}, {"heif", examine_heif},
-        {"jpeg2000", examine_jpeg2000}};
+        {"png", examine_png},     {"jpeg", examine_jpeg},        {"hdr", examine_hdr},
+        {"openexr", examine_exr}, {"psd", examine_psd},          {"targa", examine_targa},
+        {"bmp", examine_bmp},     {"dds", examine_dds},          {"webp", examine_webp},
+        {"heif", examine_heif},   {"jpeg2000", examine_jpeg2000}};
     Examined found;
     found.format = format_of(file);
-    examine_fixed(file, found);
     for (const auto& [format, examiner] : examiners)
         if (format == found.format) examiner(file, found);
     return found;

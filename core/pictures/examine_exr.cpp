@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/ext/vector_int2_sized.hpp>
 
 #include "core/design/error.h"
 #include "core/pictures/byte_order.h"
@@ -14,19 +15,31 @@
 namespace nacre {
 namespace {
 
-// Of the picture in full size: rows of tiles, or groups of lines.
-std::uint64_t count_blocks(const ExrHeader& header) {
-    constexpr std::array<std::int64_t, 10> lines{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};  // by compression
+// Pixels that are stored together: a tile, or so many lines by the compression.
+glm::i64vec2 block_size(const ExrHeader& header) {
+    constexpr std::array<std::int64_t, 10> lines{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
     if (header.compression >= lines.size())
         throw PictureProblem(
             fmt::format("the EXR file's compression is of an unknown kind, {}", header.compression));
+    if (!header.tile) return {header.width(), std::min(lines[header.compression], header.height())};
+    const auto [width, height] = *header.tile;
+    if (width < 1 || height < 1) throw PictureProblem("the EXR file's tiles have no size");
+    return {width, height};
+}
+
+// Of the picture in full size. Memory for one is taken before it is read.
+std::uint64_t count_blocks(const FileBytes& file, const ExrHeader& header) {
+    constexpr double doubtful = 1 << 26, bytes_a_byte = 4096;
+    const glm::i64vec2 block = block_size(header);
+    const double bytes =
+        static_cast<double>(block.x) * static_cast<double>(block.y) * static_cast<double>(header.pixel_bytes);
+    if (bytes > std::max(doubtful, bytes_a_byte * static_cast<double>(file.size())))
+        throw PictureProblem(
+            fmt::format("blocks of {} x {} pixels in a file of {} bytes", block.x, block.y, file.size()));
     const auto up = [](std::int64_t length, std::int64_t step) {
         return static_cast<std::uint64_t>((length + step - 1) / step);
     };
-    if (!header.tile) return up(header.height(), lines[header.compression]);
-    const auto [width, height] = *header.tile;
-    if (width < 1 || height < 1) throw PictureProblem("the EXR file's tiles have no size");
-    return up(header.width(), width) * up(header.height(), height);
+    return up(header.width(), block.x) * up(header.height(), block.y);
 }
 
 // The table says where each block stands. One that is missing would be left as the memory was.
@@ -61,7 +74,7 @@ void examine_exr(const FileBytes& file, Examined& found) {
                                  fmt::join(first.subsampled, ", ")),
                      300));
     if (first.is_cube) throw PictureProblem("a cube map, not a picture by latitude and longitude");
-    check_blocks(file, headers.end, count_blocks(first));
+    check_blocks(file, headers.end, count_blocks(file, first));
     const auto& display = first.display_window;
     found.size = glm::dvec2(display[2] - display[0], display[3] - display[1]) + 1.0;
     found.pieces = headers.pieces;

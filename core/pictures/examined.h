@@ -16,6 +16,7 @@ struct Examined {
     std::vector<Piece> pieces;            // what the decoder is shown; none: the file as it is
     glm::dvec2 size{0, 0};                // pixels as they are stored; 0 where only the decoder can tell
     int orientation = 0;                  // EXIF's 1 to 8; 0 where only the decoder can tell
+    bool has_no_alpha = false;            // though the decoder may make one of padding
     std::optional<double> gamma;          // of integers, where the file states one
     std::optional<glm::dmat3> to_rec709;  // of other primaries
     std::vector<std::string> notes;
@@ -29,6 +30,7 @@ void examine_png(const FileBytes& file, Examined& found);
 void examine_jpeg(const FileBytes& file, Examined& found);
 void examine_hdr(const FileBytes& file, Examined& found);
 void examine_exr(const FileBytes& file, Examined& found);
+void examine_psd(const FileBytes& file, Examined& found);
 void examine_webp(const FileBytes& file, Examined& found);
 void examine_heif(const FileBytes& file, Examined& found);
 void examine_jpeg2000(const FileBytes& file, Examined& found);

@@ -70,6 +70,7 @@ void read_channels(std::string_view data, ExrHeader& header) {
             throw PictureProblem("the EXR file's list of channels is damaged");
         if (little_endian(data, end + 9, 4) != 1 || little_endian(data, end + 13, 4) != 1)
             header.subsampled.emplace_back(data.substr(0, end));
+        header.pixel_bytes += little_endian(data, end + 1, 4) == 1 ? 2 : 4;  // half, float and uint
         data.remove_prefix(end + 1 + rest);
     }
 }

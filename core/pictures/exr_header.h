@@ -16,6 +16,7 @@ struct ExrHeader {
     unsigned compression = 0;
     std::optional<std::array<std::int64_t, 2>> tile;  // width and height
     std::vector<std::string> subsampled;              // channels
+    std::int64_t pixel_bytes = 0;
     std::optional<std::array<double, 8>> chromaticities;
     bool is_cube = false;
     std::string name, type;

@@ -24,7 +24,7 @@ LightOf::LightOf(const PictureHeader& header) : header_(header) {
 
 double LightOf::decoded(double value) const {
     if (table_.empty()) return decode(std::clamp(value, 0.0, 1.0), header_.gamma);
-    return table_[static_cast<std::size_t>(std::lround(std::clamp(value, 0.0, 1.0) * table_last))];
+    return table_[static_cast<std::size_t>(std::clamp(value, 0.0, 1.0) * table_last + 0.5)];
 }
 
 glm::dvec3 LightOf::operator()(const glm::vec4& pixel) const {

@@ -120,17 +120,25 @@ class OiioDecoder : public Decoder {
         choose();
         header_.encoded = !spec_.format.is_floating_point();
         header_.bits = static_cast<int>(spec_.format.size() * 8);
-        header_.associated = header_.has_alpha && spec_.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+        header_.associated = header_.has_alpha && is_associated();
         header_.gamma = file_.examined.gamma.value_or(gamma_of(spec_));
         header_.to_rec709 = file_.examined.to_rec709;
         header_.notes.insert(header_.notes.begin(), file_.examined.notes.begin(), file_.examined.notes.end());
         check_claim();
     }
 
+    // By what each format defines; readers do not all say what they did.
+    bool is_associated() const {
+        const std::string& format = file_.examined.format;
+        return format == "openexr" ||
+               (format == "tiff" && spec_.get_int_attribute("oiio:UnassociatedAlpha") == 0) ||
+               (format == "targa" && spec_.get_int_attribute("tga:alpha_type") == 4);
+    }
+
     void choose() {
         channels_ = choose_channels(spec_.channelnames, file_.use, file_.examined.format == "openexr");
         if (channels_.alpha < 0 && spec_.nchannels > 1) channels_.alpha = spec_.alpha_channel;
-        if (file_.use == PictureUse::data) channels_.alpha = -1;
+        if (file_.use == PictureUse::data || file_.examined.has_no_alpha) channels_.alpha = -1;
         header_.channels = static_cast<int>(channels_.colour.size());
         header_.has_alpha = channels_.alpha >= 0;
         if (!channels_.note.empty()) header_.notes.push_back(channels_.note);
@@ -148,9 +156,10 @@ class OiioDecoder : public Decoder {
         const std::string compression = spec_.get_string_attribute("compression", "unknown");
         const auto bytes = static_cast<double>(spec_.image_bytes(true));
         const double of_file = static_cast<double>(file_.bytes->size());
-        if (file_.examined.format == "tiff" && compression == "none" && spec_.format.size() >= 1 &&
-            spec_.get_int_attribute("oiio:BitsPerSample", 8) >= 8 &&
-            spec_.get_string_attribute("tiff:ColorSpace") == "" && bytes > of_file)
+        const int meaning = spec_.get_int_attribute("tiff:PhotometricInterpretation", -1);
+        const bool is_plain = meaning >= 0 && meaning <= 2 && compression == "none" &&
+                              spec_.get_int_attribute("oiio:BitsPerSample") == header_.bits;
+        if (file_.examined.format == "tiff" && is_plain && bytes > of_file)
             throw PictureProblem(fmt::format("its {} x {} pixels need {} bytes, the file has {}", spec_.width,
                                              spec_.height, bytes, of_file));
         const std::size_t across = static_cast<std::size_t>(spec_.width) *
