@@ -13,16 +13,10 @@ fail() {
 
 package=pmndrs-assets-1.7.0.tgz
 if [ ! -s $package ]; then
-    if command -v npm >/dev/null; then
-        npm pack --silent @pmndrs/assets@1.7.0
-    else
-        curl --fail --silent --show-error --location --output $package.part \
-            https://registry.npmjs.org/@pmndrs/assets/-/assets-1.7.0.tgz
-        mv $package.part $package
-    fi || fail 'the registry of npm cannot be reached'
+    npm pack --silent @pmndrs/assets@1.7.0 || fail 'the package cannot be fetched by npm'
 fi
 if ! ls blender-data_*_all.deb >/dev/null 2>&1; then
-    apt-get -o APT::Sandbox::User=root download blender-data || fail 'the archive of Debian cannot be reached'
+    apt-get -o APT::Sandbox::User=root download blender-data || fail 'blender-data cannot be fetched by apt-get'
 fi
 
 rm -rf pictures
