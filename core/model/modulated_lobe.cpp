@@ -8,7 +8,6 @@
 #include "core/model/picture_lobe.h"
 #include "core/model/picture_reader.h"
 #include "core/model/span_facet.h"
-#include "core/model/texel_tents.h"
 
 namespace nacre {
 namespace {

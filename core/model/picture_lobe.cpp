@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/model/disk_quadrature.h"
 #include "core/model/lobe_densities.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/picture_reader.h"

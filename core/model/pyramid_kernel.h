@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/model/texel_tents.h"
+#include "core/model/spread.h"
 
 namespace nacre {
 

@@ -7,85 +7,12 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
-#include <numbers>
 
+#include "core/model/disk_quadrature.h"
 #include "core/model/disk_texels.h"
-#include "core/model/quadrature.h"
 
 namespace nacre {
 namespace {
-
-// A rectangle on the disk's plane.
-struct Box {
-    dvec2 low, high;
-};
-
-// Over larger ones h and the rim bend too much for the rules below.
-constexpr double largest_box = 1.0 / 60;
-
-// visit(at, weight) over the box with two points of Gauss a side: exact for cubics in x and in y.
-template <class Visit>
-void visit_box(const Box& box, const Visit& visit) {
-    const dvec2 middle = 0.5 * (box.low + box.high), half = 0.5 * (box.high - box.low);
-    const dvec2 off = half * std::numbers::inv_sqrt3;
-    for (const double x : {middle.x - off.x, middle.x + off.x})
-        for (const double y : {middle.y - off.y, middle.y + off.y}) visit(dvec2(x, y), half.x * half.y);
-}
-
-// The same over the part of a box in a quadrant of the plane that lies within the disk. Lines run along the
-// axis that they meet the rim more squarely by, and the box is cut where the rim enters or leaves it.
-template <class Visit>
-void visit_in_disk(const Box& box, const Visit& visit) {
-    const dvec2 middle = 0.5 * (box.low + box.high);
-    const dvec2 sign(middle.x < 0 ? -1 : 1, middle.y < 0 ? -1 : 1);
-    const dvec2 a = glm::min(sign * box.low, sign * box.high), b = glm::max(sign * box.low, sign * box.high);
-    if (glm::dot(a, a) >= 1) return;
-    if (std::max(b.x - a.x, b.y - a.y) > largest_box) {
-        for (int i = 0; i < 4; ++i) {
-            const dvec2 quarter(i % 2, i / 2), half = 0.5 * (box.high - box.low);
-            visit_in_disk({box.low + quarter * half, middle + quarter * half}, visit);
-        }
-        return;
-    }
-    if (glm::dot(b, b) <= 1) return visit_box(box, visit);
-    const int inner = a.x + b.x > a.y + b.y ? 0 : 1, outer = 1 - inner;
-    const auto rim = [](double along) { return std::sqrt(std::max(1 - along * along, 0.0)); };
-    const double end = std::min(b[outer], rim(a[inner]));
-    const double turn = std::clamp(rim(std::min(b[inner], 1.0)), a[outer], end);
-    const auto& rule = gauss_legendre<7>();
-    const auto over = [&](double from, double to) {
-        if (!(to > from)) return;
-        for (const QuadraturePoint& s : rule) {
-            const double along = from + (to - from) * s.x;
-            const double length = std::min(b[inner], rim(along)) - a[inner];
-            for (const QuadraturePoint& t : rule) {
-                dvec2 at;
-                at[outer] = along;
-                at[inner] = a[inner] + length * t.x;
-                visit(sign * at, (to - from) * s.weight * length * t.weight);
-            }
-        }
-    };
-    over(a[outer], turn);
-    over(turn, end);
-}
-
-double middle_of(int side, int index) { return (2.0 * index + 1 - side) / side; }
-
-// The pieces of [low, high] between the middles of a picture's texels, and 0, where quadrants meet.
-std::vector<double> cuts(double low, double high, int side) {
-    std::vector<double> at = {low};
-    if (side > 0) {
-        const double slack = 1e-9 / side;
-        const int first = std::max(static_cast<int>(std::floor((low + 1) / 2 * side - 0.5)), 0);
-        for (int i = first; i < side && middle_of(side, i) < high - slack; ++i)
-            if (middle_of(side, i) > low + slack) at.push_back(middle_of(side, i));
-    }
-    if (low < 0 && high > 0) at.push_back(0);
-    at.push_back(high);
-    std::sort(at.begin(), at.end());
-    return at;
-}
 
 // The tent of a texel in one direction: from its middle to its neighbours', or flat on to the border.
 double tent(int side, int index, double at) {
@@ -100,7 +27,8 @@ Facet tent_facet(int side, int x, int y) {
     const double reach = 2.0 / side;
     const auto stops = [&](int index) {
         const double middle = middle_of(side, index);
-        std::vector<double> all = cuts(std::max(middle - reach, -1.0), std::min(middle + reach, 1.0), 0);
+        std::vector<double> all =
+            cuts_between(std::max(middle - reach, -1.0), std::min(middle + reach, 1.0), 0);
         all.push_back(middle);
         std::sort(all.begin(), all.end());
         return all;
@@ -141,21 +69,6 @@ dvec3 mean_over_tent(dvec2 at, double reach) {
 }
 
 }  // namespace
-
-void visit_disk(int side, int other_side, const std::function<void(dvec2 at, double solid_angle)>& visit) {
-    std::vector<double> stops;
-    for (const int of : {side, other_side}) {
-        const std::vector<double> part = cuts(-1, 1, of);
-        stops.insert(stops.end(), part.begin(), part.end());
-    }
-    std::sort(stops.begin(), stops.end());
-    const auto same = [](double a, double b) { return b - a < 1e-12; };
-    stops.erase(std::unique(stops.begin(), stops.end(), same), stops.end());
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i)
-        for (std::size_t j = 0; j + 1 < stops.size(); ++j)
-            visit_in_disk({{stops[j], stops[i]}, {stops[j + 1], stops[i + 1]}},
-                          [&](dvec2 at, double area) { visit(at, 2 * area); });
-}
 
 // Tents that the rim cuts, of the quadrant with x and y from 0 up; the others mirror them.
 struct TexelTents::Rim {
@@ -205,8 +118,8 @@ class FactorSums {
 
     FactorSums(int side, const TexelTents::FactorAt& factor, int factor_side) : side_(side), factor_(factor) {
         for (int i = 0; i <= side; ++i)
-            cuts_.push_back(
-                cuts(i == 0 ? -1 : middle_of(side, i - 1), i == side ? 1 : middle_of(side, i), factor_side));
+            cuts_.push_back(cuts_between(i == 0 ? -1 : middle_of(side, i - 1),
+                                         i == side ? 1 : middle_of(side, i), factor_side));
     }
 
     // Rows of tents from the bottom, the end not included.
@@ -298,28 +211,6 @@ Facet TexelTents::operator()(int row, int column) const {
     if (2 * column + 1 < side_) facet.h.x = -facet.h.x;
     if (2 * row + 1 > side_) facet.h.y = -facet.h.y;
     return facet;
-}
-
-Spread& Spread::operator+=(const Spread& other) {
-    xx += other.xx, yy += other.yy, zz += other.zz;
-    xy += other.xy, xz += other.xz, yz += other.yz;
-    return *this;
-}
-
-double Spread::half_width() const {
-    const double trace = xx + yy + zz;
-    const double squares = xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz);
-    return std::sqrt(0.5 * (trace + std::sqrt(std::max(2 * squares - trace * trace, 0.0))));
-}
-
-Spread spread_along(dvec3 u) { return {u.x * u.x, u.y * u.y, u.z * u.z, u.x * u.y, u.x * u.z, u.y * u.z}; }
-
-Spread spread_on_disk(dvec2 at, double reach) {
-    at *= std::min(1.0, 1 / std::max(glm::length(at), 1e-30));
-    const double s = std::sqrt(2 - glm::dot(at, at));
-    Spread spread = spread_along(reach * dvec3(s - at.x * at.x / s, -at.x * at.y / s, -2 * at.x));
-    spread += spread_along(reach * dvec3(-at.x * at.y / s, s - at.y * at.y / s, -2 * at.y));
-    return spread;
 }
 
 }  // namespace nacre

