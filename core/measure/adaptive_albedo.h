@@ -12,29 +12,30 @@ namespace nacre {
 
 class AdaptiveAlbedo {
   public:
-    // `tolerance`: absolute, of every value.
-    AdaptiveAlbedo(const FacetDistribution& distribution, double tolerance)
-        : distribution_(distribution), tolerance_(tolerance), facets_(distribution.facets(0)) {}
+    // `tolerance`: absolute, of every value. A lobe that has no smooth form: `facets` of its cells at the
+    // most, or all with 0.
+    AdaptiveAlbedo(const FacetDistribution& distribution, double tolerance, std::size_t facets = 0)
+        : distribution_(distribution), tolerance_(tolerance), facet_count_(facets) {}
 
     // `integrand` holds k1; area(k2) is g. Throws BakeCancelled soon after a stop is requested.
     template <class AreaOf>
     AlbedoValues operator()(const FacetAlbedo& integrand, const AreaOf& area,
                             const std::stop_token& stop) const {
         AlbedoValues sum{};
-        for (std::size_t i = 0; i < facets_.size(); ++i) {
-            const PlacedLobe& placed = distribution_.lobes()[i];
-            for (const Facet& facet : facets_[i]) {
+        for (const PlacedLobe& placed : distribution_.lobes()) {
+            for (const Facet& facet : placed.lobe->facets(facet_count_)) {
                 if (stop.stop_requested()) throw BakeCancelled();
-                add(sum, integrand(facet.h, area), facet.mass);
+                add(sum, integrand(placed.frame * facet.h, area), placed.scale * facet.mass);
             }
             for (const LobeSpan& span : placed.lobe->spans()) {
                 const LobeWalk walk(placed, span, integrand.k1);
-                for (int half = 0; half < 2; ++half)
+                const std::vector<double> cuts = walk.azimuth_cuts(integrand.shading.kinds.visibility);
+                for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
                     add(sum,
                         integrate_adaptively<4>(
                             [&](double psi) { return over_chi(integrand, area, walk, psi, stop); },
-                            walk.start() + half * std::numbers::pi,
-                            walk.start() + (half + 1) * std::numbers::pi, tolerance_, depth_azimuth),
+                            walk.start() + cuts[part] * std::numbers::pi,
+                            walk.start() + cuts[part + 1] * std::numbers::pi, tolerance_, depth_azimuth),
                         1);
             }
         }
@@ -52,10 +53,8 @@ class AdaptiveAlbedo {
     AlbedoValues over_chi(const FacetAlbedo& integrand, const AreaOf& area, const LobeWalk& walk, double psi,
                           const std::stop_token& stop) const {
         const LobeWalk::Ray whole = walk.ray(psi);
-        std::vector<double> cuts = {whole.begin};
-        for (const double b : walk.breaks())
-            if (b > whole.begin && b < whole.end) cuts.push_back(b);
-        cuts.push_back(whole.end);
+        std::vector<double> cuts;
+        walk.cuts(whole, integrand.shading.kinds.visibility, cuts);
         auto at = [&](double chi) {
             if (stop.stop_requested()) throw BakeCancelled();
             const Facet facet = walk.facet(whole, chi);
@@ -72,7 +71,7 @@ class AdaptiveAlbedo {
 
     const FacetDistribution& distribution_;
     double tolerance_;
-    std::vector<std::vector<Facet>> facets_;
+    std::size_t facet_count_;
 };
 
 }  // namespace nacre
