@@ -7,6 +7,7 @@
 #include "core/bake/coupling.h"
 #include "core/bake/fitted.h"
 #include "core/bake/stopwatch.h"
+#include "core/model/merged_facets.h"
 #include "core/model/picture_lobe.h"
 #include "core/model/surface.h"
 
@@ -140,11 +141,15 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
     const double target =
         fixed ? std::numeric_limits<double>::infinity() : area_part * made.options.tolerance;
     const TableNodes first{made.plan.nodes.w, made.plan.nodes.psi};
+    const bool many = !draft && count_facets(made.design.distribution) > many_facets;
+    const std::shared_ptr<const FacetDistribution> tabled =
+        many ? workers.run([&] { return merge_facets(made.design.distribution, *now.distribution); })
+             : now.distribution;
     auto make = [&](TableNodes nodes, bool without_moment) {
         Fitted<AreaTable> result;
         result.nodes = nodes;
-        result.table = std::make_shared<const AreaTable>(now.distribution, made.plan.symmetry, nodes,
-                                                         without_moment, made.options.quality, workers);
+        result.table = std::make_shared<const AreaTable>(tabled, made.plan.symmetry, nodes, without_moment,
+                                                         made.options.quality, workers);
         result.error = result.table->measure(material);
         return result;
     };
@@ -165,6 +170,11 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
     }
     made.area = fitted.table;
     made.area_error = fitted.error;
+    if (many) {
+        const double merging = workers.run([&] { return merging_error(*now.distribution, *tabled); });
+        made.area_error.all.worst += merging;
+        made.area_error.all.root_mean_square += merging;
+    }
     made.fitted_error = fitted.error.all.worst;
     made.tried_area = fitted.tried;
     made.plan.nodes.w = fitted.nodes.polar;
@@ -210,6 +220,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
     const bool keep_albedo = keep_area && before->albedo && same_albedo(before->design, made.design);
     area_origin_ = albedo_origin_ = TableOrigin::kept;
     const Stopwatch area_time;
+    made.distribution = keep_area ? before->distribution : now.distribution;
     if (keep_area) {
         made.area = before->area;
         made.area_seconds = before->area_seconds;
@@ -257,7 +268,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     report(0.9);
     assemble(made, *tables, workers);
     before_ = made.design.distribution;
-    distribution_ = made.area->distribution();
+    distribution_ = made.distribution;
     slot = std::move(made);
     tables->seconds = time.seconds();
     report(1);
@@ -268,7 +279,7 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     Shading<double>& shading = tables.shading;
     shading = made.area->shading(shading);
     tables.plan = made.plan;
-    tables.distribution = made.area->distribution();
+    tables.distribution = made.distribution;
     tables.mean = tables.distribution->mean();
     tables.data = made.area->data();
     tables.tolerance = made.options.tolerance;
