@@ -18,18 +18,6 @@ void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
 }
 
-// The interval cut at p's corners.
-template <class Visit>
-void for_each_part(const LobeWalk::Ray& interval, const std::vector<double>& breaks, const Visit& visit) {
-    double begin = interval.begin;
-    for (const double at : breaks) {
-        if (at <= begin || at >= interval.end) continue;
-        visit(begin, at);
-        begin = at;
-    }
-    if (interval.end > begin) visit(begin, interval.end);
-}
-
 // At most so many cells for a lobe of facets, level by level.
 constexpr std::array<std::size_t, 4> facet_counts = {200, 800, 3200, 12800};
 
@@ -63,8 +51,10 @@ constexpr std::size_t batch = 512;
 
 // The rule's points over one hemisphere of a smooth lobe, as facets: visit(some of them) again and again.
 template <class Visit>
-void walk_span(const LobeWalk& walk, std::size_t level, const Visit& visit) {
+void walk_span(const LobeWalk& walk, std::size_t level, VisibilityKind visibility, const Visit& visit) {
     const Order rule = order(level);
+    const std::vector<double> azimuths = walk.azimuth_cuts(visibility);
+    std::vector<double> cuts;
     WalkPoints points;
     WeightedDirections facets;
     auto flush = [&] {
@@ -73,15 +63,20 @@ void walk_span(const LobeWalk& walk, std::size_t level, const Visit& visit) {
         points.clear();
         facets.clear();
     };
-    for (int i = 0; i < 2 * static_cast<int>(rule.psi.size()); ++i) {
-        const QuadraturePoint& a = rule.psi[static_cast<std::size_t>(i / 2)];
-        const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (i % 2 + a.x));
-        for_each_part(ray, walk.breaks(), [&](double begin, double end) {
-            for (const QuadraturePoint& b : rule.chi)
-                points.add(ray.cosine, ray.sine, begin + (end - begin) * b.x,
-                           pi * a.weight * (end - begin) * b.weight);
-        });
-        if (points.chi.size() >= batch) flush();
+    for (const QuadraturePoint& a : rule.psi) {
+        for (std::size_t part = 0; part + 1 < azimuths.size(); ++part) {
+            const double size = azimuths[part + 1] - azimuths[part];
+            const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (azimuths[part] + size * a.x));
+            walk.cuts(ray, visibility, cuts);
+            for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+                const double chi = cuts[i], step = cuts[i + 1] - cuts[i];
+                if (!(step > 0)) continue;
+                for (const QuadraturePoint& b : rule.chi)
+                    points.add(ray.cosine, ray.sine, chi + step * b.x,
+                               pi * size * a.weight * step * b.weight);
+            }
+            if (points.chi.size() >= batch) flush();
+        }
     }
     flush();
 }
@@ -207,9 +202,10 @@ AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1
     if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
     AlbedoValues sum{};
     for (const LobeSpan& span : placed.lobe->spans())
-        walk_span(LobeWalk(placed, span, k1), level, [&](const WeightedDirections& facets) {
-            add(sum, sum_albedo(shading_, k1, g1, channels_, facets), 1);
-        });
+        walk_span(LobeWalk(placed, span, k1), level, shading_.kinds.visibility,
+                  [&](const WeightedDirections& facets) {
+                      add(sum, sum_albedo(shading_, k1, g1, channels_, facets), 1);
+                  });
     return sum;
 }
 

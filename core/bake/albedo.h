@@ -22,10 +22,10 @@ struct FacetAlbedo {
     int channels;
 };
 
-// The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi; the integrand is
-// smooth on each, so that the error falls exponentially with the order. A lobe of facets: cells of its
-// pyramid, whose error falls with the square of their size. Order and count are chosen once, for all
-// directions.
+// The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi, parted where the
+// integrand is not smooth (LobeWalk::cuts), so that the error falls exponentially with the order. A lobe of
+// facets: cells of its pyramid, whose error falls with the square of their size. Order and count are chosen
+// once, for all directions.
 class AlbedoRule {
   public:
     // g(k2) is read from the tables that `shading` holds; channels as in Shading::facet_albedo. `tolerance`

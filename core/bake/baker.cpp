@@ -7,6 +7,7 @@
 #include "core/bake/coupling.h"
 #include "core/bake/stopwatch.h"
 #include "core/bake/table_fits.h"
+#include "core/model/merged_facets.h"
 #include "core/model/picture_lobe.h"
 #include "core/model/surface.h"
 
@@ -105,9 +106,19 @@ void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& ma
     area_origin_ = TableOrigin::summed;
     if (sum_area(made, now, material, workers)) return;
     area_origin_ = TableOrigin::baked;
-    const FittedArea fitted = fit_area(now.distribution, made.plan, made.options, material, workers);
+    const bool many =
+        made.options.quality == Quality::final && count_facets(made.design.distribution) > many_facets;
+    const std::shared_ptr<const FacetDistribution> tabled =
+        many ? workers.run([&] { return merge_facets(made.design.distribution, *now.distribution); })
+             : now.distribution;
+    const FittedArea fitted = fit_area(tabled, made.plan, made.options, material, workers);
     made.area = fitted.table;
     made.area_error = fitted.error;
+    if (many) {
+        const double merging = workers.run([&] { return merging_error(*now.distribution, *tabled); });
+        made.area_error.all.worst += merging;
+        made.area_error.all.root_mean_square += merging;
+    }
     made.fitted_error = fitted.error.all.worst;
     made.tried_area = fitted.tried;
     made.plan.nodes.w = fitted.nodes.polar;
@@ -132,6 +143,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
     const bool keep_albedo = keep_area && before->albedo && same_albedo(before->design, made.design);
     area_origin_ = albedo_origin_ = TableOrigin::kept;
     const Stopwatch area_time;
+    made.distribution = keep_area ? before->distribution : now.distribution;
     if (keep_area) {
         made.area = before->area;
         made.area_seconds = before->area_seconds;
@@ -180,7 +192,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     report(0.9);
     assemble(made, *tables, workers);
     before_ = made.design.distribution;
-    distribution_ = made.area->distribution();
+    distribution_ = made.distribution;
     slot = std::move(made);
     tables->seconds = time.seconds();
     report(1);
@@ -191,7 +203,7 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     Shading<double>& shading = tables.shading;
     shading = made.area->shading(shading);
     tables.plan = made.plan;
-    tables.distribution = made.area->distribution();
+    tables.distribution = made.distribution;
     tables.mean = tables.distribution->mean();
     tables.data = made.area->data();
     tables.tolerance = made.options.tolerance;

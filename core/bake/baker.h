@@ -34,7 +34,8 @@ class Baker {
         Design design = {};
         BakeOptions options = {};
         BakePlan plan = {};
-        std::shared_ptr<const AreaTable> area = {};
+        std::shared_ptr<const FacetDistribution> distribution = {};
+        std::shared_ptr<const AreaTable> area = {};  // of that, or of its facets merged
         AxisError area_error = {};
         double fitted_error = 0;                                // worst of g when the grid was fitted to p
         std::shared_ptr<const std::vector<float>> albedo = {};  // see AlbedoTable

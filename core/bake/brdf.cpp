@@ -45,18 +45,25 @@ double Brdf::pdf(dvec3 k1, dvec3 k2) const {
 }
 
 std::optional<BrdfSample> Brdf::sample(dvec3 k1, Random& random) const {
-    if (k1.z <= 0) return {};
+    return BrdfSampler(*this, k1)(random);
+}
+
+BrdfSampler::BrdfSampler(const Brdf& brdf, dvec3 k1)
+    : brdf_(brdf), k1_(k1), facets_(brdf.tables().distribution->lobes(), k1) {}
+
+std::optional<BrdfSample> BrdfSampler::operator()(Random& random) const {
+    if (k1_.z <= 0) return {};
     dvec3 k2;
-    if (uniform_random(random) < diffuse_probability()) {
+    if (uniform_random(random) < brdf_.diffuse_probability()) {
         k2 = cosine_sample(random);
     } else {
-        if (tables_->distribution->projected_area(k1) <= 0) return {};
-        const dvec3 h = tables_->distribution->sample_visible(k1, random);
-        k2 = glm::normalize(2 * glm::dot(k1, h) * h - k1);
+        if (facets_.area() <= 0) return {};
+        const dvec3 h = facets_(random);
+        k2 = glm::normalize(2 * glm::dot(k1_, h) * h - k1_);
     }
-    const double density = pdf(k1, k2);
+    const double density = brdf_.pdf(k1_, k2);
     if (k2.z <= 0 || density <= 0) return {};
-    return BrdfSample{k2, evaluate(k1, k2) * (k2.z / density), density};
+    return BrdfSample{k2, brdf_.evaluate(k1_, k2) * (k2.z / density), density};
 }
 
 dvec3 Brdf::albedo(dvec3 k) const {

@@ -5,6 +5,7 @@
 
 #include "core/bake/tables.h"
 #include "core/bake/term.h"
+#include "core/model/visible_sampler.h"
 
 namespace nacre {
 
@@ -29,15 +30,29 @@ class Brdf {
     std::optional<BrdfSample> sample(dvec3 k1, Random& random) const;
     double pdf(dvec3 k1, dvec3 k2) const;
 
+    // How often sample() draws the cosine.
+    double diffuse_probability() const;
+
     // R(k), the directional albedo of the specular term (Ashikhmin 2000, eq. 29); 0 when R is not baked.
     dvec3 albedo(dvec3 k) const;
 
     const Tables& tables() const { return *tables_; }
 
   private:
-    double diffuse_probability() const;
-
     std::shared_ptr<const Tables> tables_;
+};
+
+// Brdf::sample() from one k1 again and again: what k1 sees of each lobe is found once.
+class BrdfSampler {
+  public:
+    // `brdf` is kept as a reference.
+    BrdfSampler(const Brdf& brdf, dvec3 k1);
+    std::optional<BrdfSample> operator()(Random& random) const;
+
+  private:
+    const Brdf& brdf_;
+    dvec3 k1_;
+    VisibleSampler facets_;
 };
 
 // One term of the BRDF (term.h says in which unit) from what is known of both directions; `shading` holds the

@@ -49,23 +49,29 @@ HWY_EXPORT(stretch_points);
 
 using std::numbers::pi;
 
+namespace {
+// From this cosine of k1 up no layer is so thin that a rule of integration could miss it.
+constexpr double layer_below = 0.25;
+}  // namespace
+
 LobeWalk::LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1)
-    : placed_(placed), span_(span), k1_(k1), axis_(placed.frame[2] * span.flip) {
+    : placed_(placed), span_(span), k1_(k1), axis_(placed.frame[2] * span.flip), across_(-k1.y, k1.x, 0) {
     const dvec3 own = glm::transpose(placed.frame) * k1;
     start_ = std::atan2(span.stretch.y * own.y, span.stretch.x * own.x) - pi / 2;
 }
 
-// Facets h = s e + t a (s, t = sin and cos of chi; not normalised) send k1 above the horizon where
-//   2 (k1.h)(n.h) - (k1.n) |h|^2 = m + r cos(2 chi - delta) > 0  and  n.h > 0.
+LobeWalk::Ray LobeWalk::ray(double psi) const { return interval(std::cos(psi), std::sin(psi), 0); }
+
+// Facets h = s e + t a (s, t = sin and cos of chi; not normalised) send k1 to c2 > least c1 where
+//   2 (k1.h)(n.h) - (1 + least) (k1.n) |h|^2 = m + r cos(2 chi - delta) > 0  and  n.h > 0.
 // That is a disk in the slopes about n, so a great circle meets it in one interval.
-LobeWalk::Ray LobeWalk::ray(double psi) const {
-    Ray ray{std::cos(psi), std::sin(psi), 0, 0};
-    const dvec3 e =
-        placed_.frame[0] * (span_.stretch.x * ray.cosine) + placed_.frame[1] * (span_.stretch.y * ray.sine);
-    const double ke = glm::dot(k1_, e), ka = glm::dot(k1_, axis_);
-    const double alpha = 2 * ke * e.z - k1_.z * glm::dot(e, e);
+LobeWalk::Ray LobeWalk::interval(double cosine, double sine, double least) const {
+    Ray ray{cosine, sine, 0, 0};
+    const dvec3 e = ray_direction(ray.cosine, ray.sine);
+    const double ke = glm::dot(k1_, e), ka = glm::dot(k1_, axis_), c = (1 + least) * k1_.z;
+    const double alpha = 2 * ke * e.z - c * glm::dot(e, e);
     const double beta = ke * axis_.z + ka * e.z;
-    const double gamma = 2 * ka * axis_.z - k1_.z;
+    const double gamma = 2 * ka * axis_.z - c;
     const double m = 0.5 * (alpha + gamma), x = 0.5 * (gamma - alpha);
     const double r = std::hypot(x, beta);
     if (r <= std::fabs(m) && m <= 0) return ray;
@@ -75,6 +81,35 @@ LobeWalk::Ray LobeWalk::ray(double psi) const {
     ray.begin = std::clamp(middle - reach, 0.0, pi / 2);
     ray.end = std::clamp(middle + reach, 0.0, pi / 2);
     return ray;
+}
+
+std::vector<double> LobeWalk::azimuth_cuts(VisibilityKind visibility) const {
+    if (visibility != VisibilityKind::correlated) return {0, 1, 2};
+    const double psi =
+        std::atan2(-glm::dot(ray_direction(1, 0), across_), glm::dot(ray_direction(0, 1), across_));
+    const double after = std::remainder(psi - start_, pi) / pi, plane = after < 0 ? after + 1 : after;
+    return {0, plane, 1, 1 + plane, 2};
+}
+
+void LobeWalk::cuts(const Ray& ray, VisibilityKind visibility, std::vector<double>& all) const {
+    all.assign(1, ray.begin);
+    auto add = [&](double at) {
+        if (at > ray.begin && at < ray.end) all.push_back(at);
+    };
+    for (const double at : span_.breaks) add(at);
+    if (visibility == VisibilityKind::correlated) {
+        const double along = glm::dot(ray_direction(ray.cosine, ray.sine), across_);
+        add(std::atan2(-glm::dot(axis_, across_) * std::copysign(1.0, along), std::fabs(along)));
+    }
+    if (visibility != VisibilityKind::uncorrelated && k1_.z < layer_below)
+        for (const double least : {1.0, 4.0}) {
+            const Ray inner = interval(ray.cosine, ray.sine, least);
+            if (inner.end <= inner.begin) continue;
+            add(inner.begin);
+            add(inner.end);
+        }
+    all.push_back(ray.end);
+    std::sort(all.begin(), all.end());
 }
 
 Facet LobeWalk::facet(const Ray& ray, double chi) const {

@@ -5,6 +5,7 @@
 
 #include "core/bake/direction_sums.h"
 #include "core/model/facet_distribution.h"
+#include "core/model/shading.h"
 
 namespace nacre {
 
@@ -45,13 +46,24 @@ class LobeWalk {
     // psi runs over two halves, [start, start + pi] and on, parted where the facets turn from k1.
     double start() const { return start_; }
 
-    const std::vector<double>& breaks() const { return span_.breaks; }
+    // Where R's integrand has a kink or a thin layer, so that rules of integration are used in between; the
+    // ends are among them. Azimuths in half turns from start(), then angles on a ray: p's corners; under
+    // eq. 14 the plane of k1 and n, where the angle between tangent projections turns round at 180 degrees;
+    // with every correlated visibility and a grazing k1 the layer c2 < c1 beside the horizon.
+    std::vector<double> azimuth_cuts(VisibilityKind visibility) const;
+    void cuts(const Ray& ray, VisibilityKind visibility, std::vector<double>& all) const;
 
   private:
+    Ray interval(double cosine, double sine, double least) const;
+    dvec3 ray_direction(double cosine, double sine) const {
+        return placed_.frame[0] * (span_.stretch.x * cosine) + placed_.frame[1] * (span_.stretch.y * sine);
+    }
+
     const PlacedLobe& placed_;
     LobeSpan span_;
     dvec3 k1_;
     dvec3 axis_;
+    dvec3 across_;  // n x k1
     double start_;
 };
 

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/design/error.h"
@@ -65,16 +67,25 @@ std::string ratio_text(double ratio) {
     return fmt::format("{:.{}f}", ratio, ratio < 0.95 ? 2 : ratio < 9.5 ? 1 : 0);
 }
 
-// The first plain grid that is no worse than `goal`, by its cost over that of `goal`.
+// The cost of a plain grid as good as `goal` over that of `goal`. Each grid has four times the nodes of the
+// one before: between the last that is worse and the first that is not cost follows error by a power law.
 std::string as_good(const std::vector<ShownPoint>& plain, const std::optional<ShownPoint>& goal) {
     if (!goal) return "-";
-    for (const ShownPoint& point : plain)
-        if (point.error.worst <= goal->error.worst)
-            return fmt::format(
-                "{} x bytes, {} x time",
-                ratio_text(static_cast<double>(point.bytes) / static_cast<double>(goal->bytes)),
-                ratio_text(point.seconds / goal->seconds));
-    return "none of those measured";
+    const double error = goal->error.worst;
+    const auto good = std::find_if(plain.begin(), plain.end(),
+                                   [error](const ShownPoint& point) { return point.error.worst <= error; });
+    if (good == plain.end()) return "none of those measured";
+    const ShownPoint& last_worse = good == plain.begin() ? *good : *std::prev(good);
+    const double part =
+        last_worse.error.worst > error && good->error.worst > 0
+            ? std::log(last_worse.error.worst / error) / std::log(last_worse.error.worst / good->error.worst)
+            : 1;
+    const auto between = [part](double a, double b) { return a * std::pow(b / a, part); };
+    return fmt::format(
+        "{} x bytes, {} x time",
+        ratio_text(between(static_cast<double>(last_worse.bytes), static_cast<double>(good->bytes)) /
+                   static_cast<double>(goal->bytes)),
+        ratio_text(between(last_worse.seconds, good->seconds) / goal->seconds));
 }
 
 std::string summary_row(const DesignAccuracy& design, ChartOf quantity) {

@@ -14,12 +14,14 @@ namespace nacre {
 
 class AdaptiveAlbedo {
   public:
-    // `tolerance`: absolute, of every value.
-    AdaptiveAlbedo(const FacetDistribution& distribution, double tolerance)
-        : distribution_(distribution), tolerance_(tolerance) {
+    // `tolerance`: absolute, of every value. A lobe that has no smooth form is summed over so many of its
+    // cells at the most, or integrated as its picture is with 0.
+    AdaptiveAlbedo(const FacetDistribution& distribution, double tolerance, std::size_t facets = 0)
+        : distribution_(distribution), tolerance_(tolerance), facet_count_(facets) {
         for (const PlacedLobe& placed : distribution.lobes())
-            rules_.push_back(placed.lobe->spans().empty() ? std::make_unique<const PictureRule>(placed)
-                                                          : nullptr);
+            rules_.push_back(facets == 0 && placed.lobe->spans().empty()
+                                 ? std::make_unique<const PictureRule>(placed)
+                                 : nullptr);
     }
 
     // `integrand` holds k1; area(k2) is g. Throws BakeCancelled soon after a stop is requested.
@@ -29,17 +31,19 @@ class AdaptiveAlbedo {
         AlbedoValues sum{};
         for (std::size_t i = 0; i < rules_.size(); ++i) {
             const PlacedLobe& placed = distribution_.lobes()[i];
-            if (rules_[i])
-                add(sum, rules_[i]->integrate([&](dvec3 h) { return integrand(h, area); }, tolerance_, stop),
-                    1);
+            add(sum,
+                rules_[i] ? over_picture(*rules_[i], integrand, area, stop)
+                          : over_facets(placed, integrand, area, stop),
+                1);
             for (const LobeSpan& span : placed.lobe->spans()) {
                 const LobeWalk walk(placed, span, integrand.k1);
-                for (int half = 0; half < 2; ++half)
+                const std::vector<double> cuts = walk.azimuth_cuts(integrand.shading.kinds.visibility);
+                for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
                     add(sum,
                         integrate_adaptively<4>(
                             [&](double psi) { return over_chi(integrand, area, walk, psi, stop); },
-                            walk.start() + half * std::numbers::pi,
-                            walk.start() + (half + 1) * std::numbers::pi, tolerance_, depth_azimuth),
+                            walk.start() + cuts[part] * std::numbers::pi,
+                            walk.start() + cuts[part + 1] * std::numbers::pi, tolerance_, depth_azimuth),
                         1);
             }
         }
@@ -48,19 +52,37 @@ class AdaptiveAlbedo {
 
   private:
     static constexpr int depth_azimuth = 20, depth_polar = 12;
+    static constexpr double picture_tolerance = 5e-7;  // a picture's g is not known closer
 
     static void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
     }
 
     template <class AreaOf>
+    static AlbedoValues over_picture(const PictureRule& rule, const FacetAlbedo& integrand,
+                                     const AreaOf& area, const std::stop_token& stop) {
+        return rule.integrate([&](dvec3 h) { return integrand(h, area); }, picture_tolerance, stop);
+    }
+
+    // Nothing of a lobe that has a smooth form.
+    template <class AreaOf>
+    AlbedoValues over_facets(const PlacedLobe& placed, const FacetAlbedo& integrand, const AreaOf& area,
+                             const std::stop_token& stop) const {
+        AlbedoValues sum{};
+        if (!placed.lobe->spans().empty()) return sum;
+        for (const Facet& facet : placed.lobe->facets(facet_count_)) {
+            if (stop.stop_requested()) throw BakeCancelled();
+            add(sum, integrand(placed.frame * facet.h, area), placed.scale * facet.mass);
+        }
+        return sum;
+    }
+
+    template <class AreaOf>
     AlbedoValues over_chi(const FacetAlbedo& integrand, const AreaOf& area, const LobeWalk& walk, double psi,
                           const std::stop_token& stop) const {
         const LobeWalk::Ray whole = walk.ray(psi);
-        std::vector<double> cuts = {whole.begin};
-        for (const double b : walk.breaks())
-            if (b > whole.begin && b < whole.end) cuts.push_back(b);
-        cuts.push_back(whole.end);
+        std::vector<double> cuts;
+        walk.cuts(whole, integrand.shading.kinds.visibility, cuts);
         auto at = [&](double chi) {
             if (stop.stop_requested()) throw BakeCancelled();
             const Facet facet = walk.facet(whole, chi);
@@ -77,6 +99,7 @@ class AdaptiveAlbedo {
 
     const FacetDistribution& distribution_;
     double tolerance_;
+    std::size_t facet_count_;
     std::vector<std::unique_ptr<const PictureRule>> rules_;  // of the lobes that hold a picture
 };
 

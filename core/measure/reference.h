@@ -40,8 +40,11 @@ class Reference {
     void prepare_coupling(std::stop_token stop = {});
 
     const FacetDistribution& distribution() const { return distribution_; }
+    const Distribution& layers() const { return layers_; }  // of the design
+    int channels() const { return channels_; }              // of albedo(), F = 1 apart
 
   private:
+    Distribution layers_;
     FacetDistribution distribution_;
     AdaptiveAlbedo albedo_;
     Shading<double> shading_;

@@ -1,19 +1,22 @@
 #include "core/measure/table_error.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/bake/bake.h"
+#include "core/measure/close_albedo.h"
+#include "core/measure/effort.h"
 
 namespace nacre {
 namespace {
 
 using std::numbers::pi;
 
-constexpr double grazing = 1e-5;      // the smallest c
+constexpr double grazing = 1e-5;  // the smallest c
+constexpr double albedo_tolerance = 1e-5;
+constexpr double albedo_seconds = 12;  // of the processor, for R; no fewer than least_albedos directions
+constexpr int least_albedos = 4;
 constexpr double claim_slack = 1.25;  // between the bake's directions the error may be so much larger
 
 }  // namespace
@@ -43,11 +46,14 @@ TableErrors measure_table_errors(const Tables& tables, const Reference& referenc
     if (!tables.plan.albedo) return result;
     const std::vector<dvec3> probes = probe_directions(counts.albedo);
     errors.assign(probes.size(), 0);
-    tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t i) {
+    const CloseAlbedo albedo(reference, albedo_tolerance);
+    const int done = visit_within(albedo_seconds, counts.albedo, least_albedos, [&](int i) {
         if (stop.stop_requested()) throw BakeCancelled();
-        errors[i] = albedo_error(tables.shading, probes[i], reference.albedo(probes[i], stop),
-                                 tables.plan.fresnel_tables);
+        const dvec3 k = probes[static_cast<std::size_t>(i)];
+        errors[static_cast<std::size_t>(i)] =
+            albedo_error(tables.shading, k, albedo(k, stop), tables.plan.fresnel_tables);
     });
+    errors.resize(static_cast<std::size_t>(done));
     result.albedo = summarise(errors);
     return result;
 }

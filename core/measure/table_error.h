@@ -14,7 +14,7 @@ std::vector<dvec3> probe_directions(int count);
 
 struct ProbeCounts {
     int area = 200;
-    int albedo = 8;  // an R that is exact may take a second
+    int albedo = 8;  // at the most: fewer, and at least 4, where they take more than 12 s of processor time
 };
 
 // Against the exact g and R; `reference` is that of the same design. Without baked R that is not measured.

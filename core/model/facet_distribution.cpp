@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/design/error.h"
+#include "core/model/visible_sampler.h"
 
 namespace nacre {
 namespace {
@@ -107,20 +108,7 @@ std::vector<std::vector<Facet>> FacetDistribution::facets(std::size_t count) con
 }
 
 dvec3 FacetDistribution::sample_visible(dvec3 k, Random& random) const {
-    std::vector<double> part(lobes_.size());
-    double total = 0;
-    for (std::size_t i = 0; i < lobes_.size(); ++i)
-        total += part[i] =
-            lobes_[i].scale * lobes_[i].lobe->projected_area(glm::transpose(lobes_[i].frame) * k);
-    double left = uniform_random(random) * total;
-    std::size_t chosen = 0;
-    for (std::size_t i = 0; i < lobes_.size(); ++i) {
-        if (part[i] > 0) chosen = i;
-        if (left < part[i]) break;
-        left -= part[i];
-    }
-    const PlacedLobe& placed = lobes_[chosen];
-    return placed.frame * placed.lobe->sample_visible(glm::transpose(placed.frame) * k, random);
+    return VisibleSampler(lobes_, k)(random);
 }
 
 }  // namespace nacre

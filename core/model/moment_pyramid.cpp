@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <utility>
 
 #include "core/model/pyramid_tile.h"
 
@@ -58,6 +59,12 @@ MomentPyramid::MomentPyramid(int side, const FacetAt& facet_at, const SpreadAt& 
         top_.tiles[static_cast<std::size_t>(i)] =
             tile_of(i / tiles_ * tile_side_, i % tiles_ * tile_side_, tile_side_, facet_at, spread_at);
     });
+    add_up();
+}
+
+MomentPyramid::MomentPyramid(std::vector<std::shared_ptr<const PyramidTile>> tiles)
+    : side_(tile_side_most), tile_side_(tile_side_most), tiles_(1) {
+    top_.tiles = std::move(tiles);
     add_up();
 }
 
