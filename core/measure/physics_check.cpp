@@ -150,7 +150,7 @@ class PhysicsCheckRun {
                         claim.worst));
         add(wish, claim.worst, tolerance, kept ? Verdict::pass : Verdict::note,
             kept ? "worst error that the bake claims"
-                 : "worst error that the bake claims: within 64 KiB it found no tables that keep closer");
+                 : "worst error that the bake claims: within 256 KiB it found no tables that keep closer");
     }
 
     void check_sampling() {
