@@ -41,6 +41,7 @@ void draw_dialogs(Designer& designer) {
         designer.environment.talk();
     else
         designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+    tell(designer, designer.pictures.take_note());
     if (auto surroundings = designer.pictures.take_surroundings())
         designer.environment.want(surroundings->string());
 }

@@ -76,9 +76,11 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
             canvas.stamp = canvas.stamps.size() - 1;
             canvas.tool = ui::CanvasTool::stamp;
         } else if (answer == normals) {
-            add_layer_of(normals_of_map(load_colours(file)), reading_.smoothing, name, distribution, chosen);
+            add_layer_of(normals_of_map(normals_.picture(), normals_.reading()), reading_.smoothing, name,
+                         distribution, chosen);
+            if (!normals_.note().empty()) note_ = file.filename().string() + ": " + normals_.note();
         } else if (answer == heights) {
-            add_layer_of(normals_of_heights(load_colours(file), reading_.height / 100), reading_.smoothing,
+            add_layer_of(normals_of_heights(normals_.picture(), reading_.height / 100), reading_.smoothing,
                          name, distribution, chosen);
         } else if (answer == modulate && chosen < distribution.layers.size()) {
             auto raster = std::make_shared<const Raster>(
@@ -90,6 +92,7 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
     } catch (const std::exception&) {
         problem_ = problem_line();
     }
+    normals_.forget_picture();
 }
 
 void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
@@ -104,9 +107,11 @@ void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::Canv
                              "that surface. Modulation multiplies the chosen layer by it. A stamp or a "
                              "modulation that is not square "
                              "keeps its shape: black is added beside it. Surroundings light the object.";
-    const auto answer = ui::question("A picture", text,
-                                     {"Stamp", "Normals", "Heights", "Modulation", "Surroundings", "Cancel"},
-                                     [this] { reading_fields(reading_); });
+    const auto answer = ui::question(
+        "A picture", text, {"Stamp", "Normals", "Heights", "Modulation", "Surroundings", "Cancel"}, [this] {
+            reading_fields(reading_);
+            normals_.draw();
+        });
     if (answer) use(*answer, distribution, chosen, canvas);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "app/designer/normal_choice.h"
 #include "core/design/design.h"
 #include "ui/hemisphere_canvas.h"
 
@@ -20,7 +21,10 @@ struct ReliefReading {
 class PictureDrop {
   public:
     // A file was dropped on the window; the newest counts.
-    void offer(std::filesystem::path file) { file_ = std::move(file); }
+    void offer(std::filesystem::path file) {
+        file_ = std::move(file);
+        normals_.look_at(*file_);
+    }
 
     // Asks, and acts on the answer: the picture becomes the stamp in hand, a painted layer of its normals or
     // of its heights, the chosen layer's modulation, or what surrounds the object.
@@ -31,6 +35,9 @@ class PictureDrop {
         return std::exchange(surroundings_, std::nullopt);
     }
 
+    // What is to be said of the map that became a layer, once.
+    std::optional<std::string> take_note() { return std::exchange(note_, std::nullopt); }
+
     bool talking() const { return file_ || !problem_.empty(); }
     const std::string& problem() const { return problem_; }  // shown until it is read
 
@@ -39,7 +46,9 @@ class PictureDrop {
 
     std::optional<std::filesystem::path> file_, surroundings_;
     std::string problem_;
+    std::optional<std::string> note_;
     ReliefReading reading_;  // as it was last set
+    NormalChoice normals_;
 };
 
 }  // namespace nacre

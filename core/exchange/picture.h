@@ -42,6 +42,7 @@ struct ColourPicture {
     std::vector<glm::vec3> colours;
     int channels = 3;     // of colour that the file has: 1 grey, 2 red and green with no blue (0 here), or 3
     bool encoded = true;  // integers in [0, 1]; else floats of any sign
+    std::vector<float> alpha = {};  // a number a pixel; empty where the file has none
 };
 
 // For pictures that are no looks but data, such as normals. A UserError of the picture itself.

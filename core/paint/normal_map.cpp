@@ -1,84 +1,177 @@
 #include "core/paint/normal_map.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/design/error.h"
-#include "core/paint/raster_texels.h"
 
 namespace nacre {
 namespace {
 
-constexpr double facets_most = 50;  // that one normal stands for
-constexpr double reach = 3;         // of the smoothing, in standard deviations
+constexpr double same_blue = 0.01;          // spread of a blue that is the same everywhere
+constexpr double right_length = 0.01;       // mean deviation from 1 of lengths that are meant as 1
+constexpr double resized_by = 0.05;         // deviation of a length that is told
+constexpr double no_direction = 0.1;        // length of what is no normal
+constexpr double plain_negative = 0.02;     // below 0 by more than ringing filters leave
+constexpr std::size_t rows_of = 1'000'000;  // pixels whose curl is looked at
+constexpr double plainly = 1.5;             // factor between curls of which the smaller is believed
 
-// Bilinear, so that few normals do not leave a pattern of texels. What falls to a texel off the disk goes to
-// those that it is read from.
-void add_facets(std::vector<double>& sums, dvec3 n) {
-    const glm::dvec2 at = disk_point(n);
-    const double column = (at.x + 1) / 2 * painted_side - 0.5, row = (1 - at.y) / 2 * painted_side - 0.5;
-    const double j = std::floor(column), i = std::floor(row), s = column - j, t = row - i;
-    const double facets = std::min(1 / n.z, facets_most);
-    const auto add = [&](double r, double c, double share) {
-        const int down = std::clamp(static_cast<int>(r), 0, painted_side - 1);
-        const int right = std::clamp(static_cast<int>(c), 0, painted_side - 1);
-        if (on_disk(painted_side, down, right)) {
-            sums[static_cast<std::size_t>(down) * painted_side + static_cast<std::size_t>(right)] +=
-                share * facets;
-            return;
-        }
-        const TexelSources sources = texel_sources(painted_side, down, right);
-        for (int k = 0; k < sources.count; ++k)
-            sums[sources.index[static_cast<std::size_t>(k)]] += share * facets / sources.count;
-    };
-    add(i, j, (1 - s) * (1 - t));
-    add(i, j + 1, s * (1 - t));
-    add(i + 1, j, (1 - s) * t);
-    add(i + 1, j + 1, s * t);
+dvec3 components(glm::vec3 colour, const NormalReading& reading) {
+    dvec3 n = reading.is_signed ? dvec3(colour) : 2.0 * dvec3(colour) - 1.0;
+    if (reading.two_channels) n.z = std::sqrt(std::max(0.0, 1 - n.x * n.x - n.y * n.y));
+    if (reading.green_down) n.y = -n.y;
+    return n;
 }
 
-std::vector<double> gaussian_weights(double deviation) {
-    const int half = static_cast<int>(std::ceil(reach * deviation));
-    std::vector<double> weights;
-    for (int i = -half; i <= half; ++i) weights.push_back(std::exp(-0.5 * i * i / (deviation * deviation)));
-    return weights;
+// Black is a normal only where 0 stands for x and y that are 0.
+bool is_empty(const ColourPicture& picture, const NormalReading& reading, std::size_t i) {
+    if (!picture.alpha.empty() && picture.alpha[i] == 0) return true;
+    return picture.colours[i] == glm::vec3(0) && !(reading.is_signed && reading.two_channels);
 }
 
-// Along rows and turned, so that twice is both ways.
-std::vector<double> smoothed_and_turned(const std::vector<double>& sums, const std::vector<double>& weights) {
-    const int half = static_cast<int>(weights.size()) / 2;
-    std::vector<double> result(sums.size());
-    for (int row = 0; row < painted_side; ++row)
-        for (int column = 0; column < painted_side; ++column) {
-            double sum = 0;
-            for (int k = std::max(-half, -column); k <= std::min(half, painted_side - 1 - column); ++k)
-                sum += weights[static_cast<std::size_t>(k + half)] *
-                       sums[static_cast<std::size_t>(row * painted_side + column + k)];
-            result[static_cast<std::size_t>(column * painted_side + row)] = sum;
+enum class Kind { normal, empty, not_facing_up };
+
+Kind kind_of(const ColourPicture& picture, const NormalReading& reading, std::size_t i, dvec3 n) {
+    if (is_empty(picture, reading, i) || glm::length(n) < no_direction) return Kind::empty;
+    return n.z > 0 ? Kind::normal : Kind::not_facing_up;
+}
+
+// Mean deviation of the lengths from 1, each counted as 1 at most, so that no few decide.
+double length_error(const ColourPicture& picture, const NormalReading& reading) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < picture.colours.size(); ++i) {
+        if (is_empty(picture, reading, i)) continue;
+        sum += std::min(1.0, std::abs(glm::length(components(picture.colours[i], reading)) - 1));
+        ++count;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+// Of two channels the length says little: whether a share of them is plainly negative, or their mean lies
+// nearer to 0 than to a half.
+bool two_channels_are_signed(const ColourPicture& picture) {
+    double sum = 0, negative = 0;
+    for (const glm::vec3& colour : picture.colours) {
+        sum += static_cast<double>(colour.x + colour.y) / 2;
+        if (std::min(colour.x, colour.y) < -static_cast<float>(plain_negative)) ++negative;
+    }
+    const auto count = static_cast<double>(picture.colours.size());
+    return negative > 0.01 * count || std::abs(sum / count) < std::abs(sum / count - 0.5);
+}
+
+bool blue_is_the_same_everywhere(const ColourPicture& picture) {
+    const auto [low, high] =
+        std::minmax_element(picture.colours.begin(), picture.colours.end(),
+                            [](const glm::vec3& a, const glm::vec3& b) { return a.z < b.z; });
+    return static_cast<double>(high->z - low->z) <= same_blue;
+}
+
+// A blue that is the same everywhere may be the z of normals that all lean alike.
+bool blue_is_z(const ColourPicture& picture, const NormalReading& reading) {
+    return components(picture.colours[0], reading).z > 0 && length_error(picture, reading) <= right_length;
+}
+
+NormalReading reading_of(const ColourPicture& picture) {
+    const NormalReading from_half{false, false, false}, as_is{true, false, false};
+    const bool may_be_signed = !picture.encoded;
+    const bool nearer_as_is =
+        may_be_signed && length_error(picture, as_is) < length_error(picture, from_half);
+    const NormalReading of_three = nearer_as_is ? as_is : from_half;
+    const bool two =
+        picture.channels == 2 ||
+        (picture.channels == 3 && blue_is_the_same_everywhere(picture) && !blue_is_z(picture, of_three));
+    if (!two) return of_three;
+    return {may_be_signed && two_channels_are_signed(picture), true, false};
+}
+
+// -x/z and -y/z; none where the pixel is left out.
+std::optional<glm::dvec2> slope_at(const ColourPicture& picture, const NormalReading& reading, int row,
+                                   int column) {
+    const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                   static_cast<std::size_t>(column);
+    const dvec3 n = components(picture.colours[i], reading);
+    // Steep ones would outweigh all others, and are told the worst.
+    if (is_empty(picture, reading, i) || !(n.z > 0.2)) return {};
+    return glm::dvec2(-n.x, -n.y) / n.z;
+}
+
+std::optional<bool> green_by_curl(const ColourPicture& picture, const NormalReading& reading) {
+    double up = 0, down = 0;
+    // Of a large picture some rows are enough.
+    const int step = 1 + static_cast<int>(picture.colours.size() / rows_of);
+    for (int row = 1; row + 1 < picture.height; row += step)
+        for (int column = 1; column + 1 < picture.width; ++column) {
+            const auto left = slope_at(picture, reading, row, column - 1);
+            const auto right = slope_at(picture, reading, row, column + 1);
+            const auto above = slope_at(picture, reading, row - 1, column);
+            const auto below = slope_at(picture, reading, row + 1, column);
+            if (!left || !right || !above || !below) continue;
+            const double x_along_y = above->x - below->x, y_along_x = right->y - left->y;
+            up += (x_along_y - y_along_x) * (x_along_y - y_along_x);
+            down += (x_along_y + y_along_x) * (x_along_y + y_along_x);
         }
-    return result;
+    if (up > plainly * down) return true;
+    if (down > plainly * up) return false;
+    return {};
 }
 
 }  // namespace
 
-std::vector<dvec3> normals_of_map(const ColourPicture& picture) {
-    const bool is_signed = std::any_of(picture.colours.begin(), picture.colours.end(),
-                                       [](glm::vec3 c) { return c.x < 0 || c.y < 0 || c.z < 0; });
+NormalMapLook look_at_normal_map(const ColourPicture& picture) {
+    NormalMapLook look{reading_of(picture), {}};
+    if (picture.channels > 1) look.green_down = green_by_curl(picture, look.reading);
+    return look;
+}
+
+std::vector<dvec3> normals_of_map(const ColourPicture& picture, const NormalReading& reading) {
+    if (picture.channels < 2)
+        throw UserError("", "normals", "a map of normals must have red and green", "grey alone");
     std::vector<dvec3> normals;
-    for (const glm::vec3 colour : picture.colours) {
-        const dvec3 n = is_signed ? dvec3(colour) : 2.0 * dvec3(colour) - 1.0;
-        const double length = glm::length(n);
-        if (length > 0.1 && n.z > 0) normals.push_back(n / length);
+    for (std::size_t i = 0; i < picture.colours.size(); ++i) {
+        const dvec3 n = components(picture.colours[i], reading);
+        if (kind_of(picture, reading, i, n) == Kind::normal) normals.push_back(glm::normalize(n));
     }
     return normals;
+}
+
+NormalCounts count_normals(const ColourPicture& picture, const NormalReading& reading) {
+    NormalCounts counts;
+    counts.pixels = picture.colours.size();
+    for (std::size_t i = 0; i < picture.colours.size(); ++i) {
+        const dvec3 n = components(picture.colours[i], reading);
+        switch (kind_of(picture, reading, i, n)) {
+            case Kind::empty:
+                ++counts.empty;
+                break;
+            case Kind::not_facing_up:
+                ++counts.not_facing_up;
+                break;
+            case Kind::normal:
+                if (std::abs(glm::length(n) - 1) > resized_by) ++counts.resized;
+        }
+    }
+    return counts;
+}
+
+std::string note_on(const NormalCounts& counts) {
+    std::string text;
+    const auto tell = [&](std::size_t count, const char* what) {
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+    };
+    tell(counts.empty, "empty and left out");
+    tell(counts.not_facing_up, "not facing up and left out");
+    tell(counts.resized, "brought to length 1");
+    return text.empty() ? text : fmt::format("of {} pixels {}", counts.pixels, text);
 }
 
 std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth) {
     const auto height = [&](int row, int column) {
         const int i = (row + picture.height) % picture.height, j = (column + picture.width) % picture.width;
         const glm::vec3 c = picture.colours[static_cast<std::size_t>(i * picture.width + j)];
-        return static_cast<double>(c.x + c.y + c.z) / 3 * depth * picture.width;
+        const float mean = picture.channels == 2 ? (c.x + c.y) / 2 : (c.x + c.y + c.z) / 3;
+        return static_cast<double>(mean) * depth * picture.width;
     };
     std::vector<dvec3> normals;
     for (int i = 0; i < picture.height; ++i)
@@ -88,24 +181,6 @@ std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth
             normals.push_back(glm::normalize(dvec3(-along_x, -along_y, 1)));
         }
     return normals;
-}
-
-std::shared_ptr<const Raster> raster_of_normals(const std::vector<dvec3>& normals, double width) {
-    std::vector<double> sums(std::size_t{painted_side} * painted_side);
-    for (const dvec3 n : normals)
-        if (n.z > 0) add_facets(sums, n);
-    // Near n a radian is 1/sqrt(2) of the disk's radius, which is half the side.
-    const double deviation = width * (std::numbers::pi / 180) / std::numbers::sqrt2 * painted_side / 2;
-    if (deviation > 0.1) {
-        const std::vector<double> weights = gaussian_weights(deviation);
-        sums = smoothed_and_turned(smoothed_and_turned(sums, weights), weights);
-    }
-    const double largest = *std::max_element(sums.begin(), sums.end());
-    if (!(largest > 0)) throw UserError("", "normals", "a normal at least must face up");
-    auto raster = std::make_shared<Raster>();
-    raster->width = raster->height = painted_side;
-    for (const double sum : sums) raster->values.push_back(static_cast<float>(sum / largest));
-    return raster;
 }
 
 }  // namespace nacre

@@ -68,10 +68,16 @@ ColourPicture read_colours(const fs::path& file, PictureNotes& notes) {
     const glm::ivec2 size = upright_size(header.size, header.orientation);
     std::vector<glm::vec3> colours;
     colours.reserve(pixel_count(size));
-    picture->read_rows([&](int, PixelRow row) { colours.insert(colours.end(), row.begin(), row.end()); });
+    std::vector<float> alpha;
+    picture->read_rows([&](int, PixelRow row) {
+        colours.insert(colours.end(), row.begin(), row.end());
+        if (header.has_alpha)
+            for (const glm::vec4& pixel : row) alpha.push_back(pixel.a);
+    });
     notes = header.notes;
-    return {size.x, size.y, upright(std::move(colours), header.size, header.orientation), header.channels,
-            header.encoded};
+    if (header.has_alpha) alpha = upright(std::move(alpha), header.size, header.orientation);
+    return {size.x,          size.y,         upright(std::move(colours), header.size, header.orientation),
+            header.channels, header.encoded, std::move(alpha)};
 }
 
 // What `load` makes, or nothing and the reason.

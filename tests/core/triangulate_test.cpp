@@ -249,7 +249,9 @@ TEST_CASE("triangulate: the steps grow no faster than n log n") {
              std::shuffle(p.begin(), p.end(), std::mt19937(1));
              return p;
          }}};
-    for (const auto& [name, shape] : kinds) {
+    for (const auto& kind : kinds) {
+        const std::string name = kind.first;
+        const auto& shape = kind.second;
         std::size_t few = 0, many = 0;
         const Polygon small = in_space(shape(3000)), large = in_space(shape(48000));
         triangulated(small, &few);

@@ -91,6 +91,47 @@ TEST_CASE("picture: a brushed-steel normal map gives a streak across the brushin
     CHECK(r.stage.designer().document.design == before);
 }
 
+TEST_CASE("picture: how a map of normals is read is shown, and can be chosen for it") {
+    Rig r;
+    // All lean up by 30 degrees, in signed numbers.
+    std::vector<float> rgb;
+    for (int i = 0; i < 64; ++i) rgb.insert(rgb.end(), {0.0f, 0.5f, 0.8660254f});
+    rgb[5] = 1.2f;
+    write_image(r.folder / "leaning.exr", {8, 8}, rgb);
+    const std::string drop = "drop " + r.quoted("leaning.exr") + "\nframes 3\n";
+    const auto mean = [&](const std::string& choices) {
+        r.play(drop + choices + "click \"Normals\"\nframes 3");
+        Distribution alone;
+        alone.layers = {r.layers().back()};
+        return FacetDistribution(alone).mean();
+    };
+    const auto leans = [](const dvec3& n) { return std::asin(n.y) * 180 / 3.14159265358979; };
+    CHECK(leans(mean("")) == doctest::Approx(30).epsilon(0.02));
+    CHECK(r.designer().files.message() == "leaning.exr: of 64 pixels 1 brought to length 1");
+    CHECK(leans(mean("click \"Down (DirectX)\"\nframes 2\n")) == doctest::Approx(-30).epsilon(0.02));
+    CHECK(leans(mean("")) == doctest::Approx(-30).epsilon(0.02));  // for this session
+    // 2 c - 1 of them: x is -1, y is 0.
+    const dvec3 encoded = mean("click \"0.5 is zero\"\nframes 2\n");
+    CHECK(encoded.x < -0.7);
+    CHECK(std::abs(encoded.y) < 0.02);
+    CHECK(leans(mean("click \"Signed\"\nclick \"x and y\"\nclick \"Up (OpenGL)\"\nframes 2\n")) ==
+          doctest::Approx(30).epsilon(0.02));
+    // Another map is read by its own numbers.
+    write_brushed_steel(r.folder / "steel.exr");
+    r.play("drop " + r.quoted("steel.exr") + "\nframes 3\nclick \"Normals\"\nframes 3");
+    CHECK(spread(r.layers().back()).x > 0.2);
+}
+
+TEST_CASE("picture: a grey one holds no normals, and says so") {
+    Rig r;
+    std::ofstream(r.folder / "grey.pgm") << "P2 2 2 255\n0 100 200 255\n";
+    const Design before = r.designer().document.design;
+    r.play("drop " + r.quoted("grey.pgm") + "\nframes 3\nclick \"Normals\"\nframes 3");
+    CHECK(r.designer().pictures.talking());
+    r.play("key Enter\nframes 3");
+    CHECK(r.designer().document.design == before);
+}
+
 TEST_CASE("picture: it becomes the stamp in hand, or the chosen layer's modulation") {
     Rig r;
     const std::vector<float> rgb = {1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1};
