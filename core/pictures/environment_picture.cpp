@@ -29,17 +29,30 @@ glm::ivec2 size_to_keep(glm::ivec2 size) {
     return {width, width / 2};
 }
 
-// Light below 0, which filters and lossy compression leave beside what is bright.
-struct Negatives {
-    std::int64_t pixels = 0;
-    double least = 0;
+// A million times the sun's: what is brighter is a mistake, and its products would leave the range of floats.
+constexpr double radiance_max = 1e15;
 
-    void clamp(glm::dvec3& light) {
-        const double value = std::min({light.x, light.y, light.z});
-        if (value >= 0) return;
-        ++pixels;
-        least = std::min(least, value);
-        light = glm::max(light, glm::dvec3(0));
+// Light below 0, which filters and lossy compression leave beside what is bright, and light past all measure.
+struct Bounds {
+    std::int64_t below = 0, above = 0;  // pixels
+    double least = 0, most = 0;
+
+    void keep(glm::dvec3& light) {
+        const double low = std::min({light.x, light.y, light.z}),
+                     high = std::max({light.x, light.y, light.z});
+        below += low < 0 ? 1 : 0;
+        above += high > radiance_max ? 1 : 0;
+        least = std::min(least, low);
+        most = std::max(most, high);
+        light = glm::clamp(light, 0.0, radiance_max);
+    }
+    void tell(std::int64_t pixels, PictureNotes& notes) const {
+        if (below > 0)
+            notes.push_back(fmt::format("{} of {} pixels are below 0, down to {:.4g}, and count as 0", below,
+                                        pixels, least));
+        if (above > 0)
+            notes.push_back(fmt::format("{} of {} pixels are above {:g}, up to {:.4g}, and count as that",
+                                        above, pixels, radiance_max, most));
     }
 };
 
@@ -53,19 +66,17 @@ LatLong read_environment(const std::filesystem::path& file, PictureNotes& notes)
     const glm::ivec2 kept = size_to_keep(size);
     const glm::ivec2 kept_stored = upright_size(kept, header.orientation);
     FittedAverage average(header.size, kept_stored);
-    Negatives negatives;
+    Bounds bounds;
     std::vector<glm::dvec3> lights(static_cast<std::size_t>(header.size.x));
     picture->read_rows([&](int y, PixelRow row) {
         for (std::size_t x = 0; x < row.size(); ++x) {
             lights[x] = light_of(row[x]);
-            negatives.clamp(lights[x]);
+            bounds.keep(lights[x]);
         }
         average.add(y, lights);
     });
     notes = header.notes;
-    if (negatives.pixels > 0)
-        notes.push_back(fmt::format("{} of {} pixels are below 0, down to {:.4g}, and count as 0",
-                                    negatives.pixels, std::int64_t{size.x} * size.y, negatives.least));
+    bounds.tell(std::int64_t{size.x} * size.y, notes);
     if (size.x != 2 * size.y)
         notes.push_back(fmt::format("{} x {} pixels, fitted to {} x {}, twice as wide as high", size.x,
                                     size.y, kept.x, kept.y));

@@ -142,6 +142,11 @@ class OiioDecoder : public Decoder {
         header_.channels = static_cast<int>(channels_.colour.size());
         header_.has_alpha = channels_.alpha >= 0;
         if (!channels_.note.empty()) header_.notes.push_back(channels_.note);
+        if (spec_.tile_width == 0) {
+            first_channel_ = 0;
+            last_channel_ = spec_.nchannels - 1;
+            return;
+        }
         first_channel_ = *std::min_element(channels_.colour.begin(), channels_.colour.end());
         last_channel_ = *std::max_element(channels_.colour.begin(), channels_.colour.end());
         if (channels_.alpha >= 0) {
@@ -180,9 +185,8 @@ class OiioDecoder : public Decoder {
         const std::size_t row = static_cast<std::size_t>(spec_.width) * channels;
         band_.assign(row * static_cast<std::size_t>(to - from), unwritten());
         const int end = last_channel_ + 1;
-        if (spec_.tile_width == 0)
-            check(input_->read_scanlines(0, 0, from, to, 0, first_channel_, end, OIIO::TypeDesc::FLOAT,
-                                         band_.data()));
+        // Not read_scanlines(), which takes 64 MiB for each call.
+        if (spec_.tile_width == 0) check(input_->read_scanline(from, 0, OIIO::TypeDesc::FLOAT, band_.data()));
         for (int x = 0; spec_.tile_width > 0 && x < spec_.width; x += spec_.tile_width) {
             const int right = std::min(x + spec_.tile_width, spec_.width);
             check(input_->read_tiles(0, 0, spec_.x + x, spec_.x + right, from, to, 0, 1, first_channel_, end,
@@ -222,7 +226,7 @@ class OiioDecoder : public Decoder {
     OIIO::ImageSpec spec_;
     Window window_;
     Channels channels_;
-    int first_channel_ = 0, last_channel_ = 0;
+    int first_channel_ = 0, last_channel_ = 0;  // of band_: all of a line, of tiles those between
     std::vector<float> band_;
     std::vector<glm::vec4> row_;
 };

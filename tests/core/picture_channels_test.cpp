@@ -191,7 +191,7 @@ TEST_CASE(
     "picture channels: alpha multiplies light once and leaves data alone, in every format that has it") {
     const TemporaryFolder folder;
     const float half = 128 / 255.f;
-    for (const char* name : {"a.png", "a.webp", "a.exr", "a.tif", "a.tga"}) {
+    for (const char* name : {"a.png", "a.exr", "a.tif", "a.tga"}) {
         CAPTURE(name);
         const bool is_float = std::string(name) == "a.exr";
         // White at half opacity: OpenImageIO takes it multiplied, and divides where the format wants that.
@@ -204,6 +204,17 @@ TEST_CASE(
         CHECK(data == doctest::Approx(std::string(name) == "a.exr" || std::string(name) == "a.tif" ? half : 1)
                           .epsilon(0.02));
     }
+}
+
+TEST_CASE("picture channels: WebP's colours come without alpha, exactly as they are stored") {
+    const TemporaryFolder folder;
+    const float half = 128 / 255.f;
+    write_picture(folder / "a.webp", {{2, 1}, 4, {0.3f, 0.3f, 0.3f, half, 1, 1, 1, 1}},
+                  {.texts = {{"compression", "lossless"}}});
+    const double stored = static_cast<double>(load_colours(folder / "a.webp").colours[0].x);
+    CHECK(stored > 0.3);
+    CHECK(load_lat_long(folder / "a.webp").radiance[0].x ==
+          doctest::Approx(std::pow((stored + 0.055) / 1.055, 2.4) * half).epsilon(1e-4));
 }
 
 TEST_SUITE_END();
