@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "core/design/utf8.h"
 #include "ui/item_map.h"
 #include "ui/key_press.h"
 #include "ui/theme.h"
@@ -79,11 +80,11 @@ void recent_menu(const MenuState& state, std::optional<Order>& chosen) {
     for (std::size_t i = 0; i < state.recent.size(); ++i) {
         const std::string& path = state.recent[i];
         ImGui::PushID(static_cast<int>(i));
-        const std::string name = path.substr(path.rfind('/') + 1);
+        const std::string name = as_utf8(path.substr(path.rfind('/') + 1));
         if (ImGui::MenuItem(name.c_str())) chosen = Order(Command::open_recent, i);
         ImGui::PopID();
         note_item("Recent " + std::to_string(i + 1));
-        tooltip_for_item(path.c_str());
+        tooltip_for_item(as_utf8(path).c_str());
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Clear the list")) chosen = Command::clear_recent;
@@ -144,7 +145,7 @@ std::optional<Order> menu_bar(const MenuState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(scaled(14), scaled(8)));
     if (ImGui::BeginMainMenuBar()) {
         for (const char* name : {"File", "Edit", "View", "Help"}) menu(name, state, chosen);
-        title(state.title);
+        title(as_utf8(state.title));
         ImGui::EndMainMenuBar();
     }
     ImGui::PopStyleVar();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/design/utf8.h"
 #include "ui/dialogs.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
@@ -42,7 +43,7 @@ void folder_line(FileDialog& dialog, const ListDirectory& list) {
         enter(dialog, list, here.parent_path());
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    dim_text(dialog.listing.directory.string());
+    dim_text(as_utf8(dialog.listing.directory.string()));
 }
 
 // Returns whether a file was double-clicked.
@@ -55,7 +56,7 @@ bool entry_list(FileDialog& dialog, const ListDirectory& list) {
                            ImGui::GetStyle().ItemSpacing.y);
     ImGui::BeginChild("entries", ImVec2(0, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     for (const DirectoryEntry& entry : dialog.listing.entries) {
-        const std::string label = entry.is_directory ? entry.name + "/" : entry.name;
+        const std::string label = as_utf8(entry.name) + (entry.is_directory ? "/" : "");
         if (entry.is_directory) ImGui::PushStyleColor(ImGuiCol_Text, palette::accent_bright);
         const bool pressed =
             ImGui::Selectable(label.c_str(), dialog.path == entry.name,

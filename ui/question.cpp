@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/design/utf8.h"
 #include "ui/dialogs.h"
 #include "ui/escape.h"
 #include "ui/theme.h"
@@ -36,7 +37,7 @@ std::optional<int> question(const char* title, const std::string& text,
         return std::nullopt;
     std::optional<int> answer;
     const bool typing = ImGui::GetIO().WantTextInput;
-    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::TextWrapped("%s", as_utf8(text).c_str());
     if (fields) {
         ImGui::Dummy(ImVec2(0, ImGui::GetFontSize() * 0.6f));
         fields();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/design/utf8.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -23,7 +24,7 @@ void dot(const Colour& colour) {
 
 void part(const char* name, const std::string& text, const Colour& colour, const char* about) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(as_utf8(text).c_str());
     ImGui::PopStyleColor();
     note_item(name);
     tooltip_for_item(about);

@@ -6,34 +6,14 @@
 #include <new>
 #include <utility>
 
+#include "core/design/utf8.h"
+
 namespace nacre {
 namespace {
 
 constexpr std::size_t where_max = 160;
 constexpr std::size_t problem_max = 600;
 constexpr std::size_t found_max = 200;
-
-struct CodePoint {
-    std::uint32_t value;
-    std::size_t length;  // bytes; 0 where the text is not UTF-8
-};
-
-CodePoint decode(std::string_view text) {
-    constexpr std::uint32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-    const auto lead = static_cast<unsigned char>(text.front());
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t length = lead >= 0xF8 ? 0 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 0;
-    if (length == 0 || length > text.size()) return {lead, 0};
-    std::uint32_t value = lead & (0x7Fu >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        if ((byte & 0xC0) != 0x80) return {lead, 0};
-        value = (value << 6) | (byte & 0x3Fu);
-    }
-    const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
-    if (value < smallest[length] || value > 0x10FFFF || surrogate) return {lead, 0};
-    return {value, length};
-}
 
 // Control characters, line and paragraph separators, and the marks that reorder text on a terminal.
 bool moves_the_cursor(std::uint32_t code) {
@@ -91,7 +71,7 @@ std::string one_line(std::string_view text, std::size_t length_max) {
     std::string line;
     for (std::size_t characters = 0; !text.empty(); ++characters) {
         if (characters == length_max) return line + "...";
-        const CodePoint code = decode(text);
+        const CodePoint code = decode_utf8(text);
         if (code.length == 0)
             line += fmt::format("\\x{:02x}", code.value);
         else if (moves_the_cursor(code.value))
