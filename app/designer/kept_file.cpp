@@ -21,8 +21,8 @@ void KeptFile::read(const std::function<void(ObjectReader&)>& take) {
     if (file_.empty() || !fs::exists(fs::symlink_status(file_, error))) return;
     try {
         const std::string name = file_.string();
-        const nlohmann::json json = parse_json(read_text_file(file_), name);
-        ObjectReader object(JsonValue(json, file_.stem().string(), name));
+        const JsonTree tree = parse_json(read_text_file(file_), name);
+        ObjectReader object(JsonValue(tree.root(), file_.stem().string(), name));
         take(object);
     } catch (const UserError& refused) {
         set_aside(refused.what());
