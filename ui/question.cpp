@@ -36,7 +36,8 @@ std::optional<int> question(const char* title, const std::string& text,
     if (!begin_dialog(title, std::max(28.0f, (total + scaled(36)) / ImGui::GetFontSize())))
         return std::nullopt;
     std::optional<int> answer;
-    const bool typing = ImGui::GetIO().WantTextInput;
+    // A key that is down already when the question comes up was meant for another.
+    const bool appears = ImGui::IsWindowAppearing(), typing = ImGui::GetIO().WantTextInput;
     ImGui::TextWrapped("%s", as_utf8(text).c_str());
     if (fields) {
         ImGui::Dummy(ImVec2(0, ImGui::GetFontSize() * 0.6f));
@@ -51,8 +52,8 @@ std::optional<int> question(const char* title, const std::string& text,
         if (i == 0) ImGui::PopStyleColor();
     }
     const ImGuiIO& io = ImGui::GetIO();
-    if (!typing && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = 0;
-    if (take_escape()) answer = static_cast<int>(buttons.size()) - 1;
+    if (!typing && !appears && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = 0;
+    if (!appears && take_escape()) answer = static_cast<int>(buttons.size()) - 1;
     end_dialog(answer.has_value());
     return answer;
 }

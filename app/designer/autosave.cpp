@@ -70,8 +70,8 @@ fs::path read_file(ObjectReader& object, HeldFiles& held) {
 }
 
 Head read_head(std::string_view line, const std::string& file) {
-    const nlohmann::json json = parse_json(line, file);
-    ObjectReader object(JsonValue(json, "unsaved", file));
+    const JsonTree tree = parse_json(line, file);
+    ObjectReader object(JsonValue(tree.root(), "unsaved", file));
     object.required("nacre_autosave", "the version of the file").whole_number(1, version);
     Head head;
     object.text("name", head.name);

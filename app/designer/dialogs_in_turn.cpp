@@ -17,12 +17,14 @@ void tell(Designer& designer, const std::optional<std::string>& message) {
 
 void draw_dialogs(Designer& designer) {
     Document& document = designer.document;
+    const bool talked = designer.files.talking();
     designer.files.draw(document);
     if (auto restored = designer.files.take_restored()) {
         designer.autosave.take_over(std::move(*restored));
         notice_focus(designer);
     }
-    if (designer.files.talking()) return;
+    // The next question does not take the key that answered this one.
+    if (talked || designer.files.talking()) return;
     if (auto found = designer.recovery.draw())
         designer.files.restore(document, std::move(*found));
     else if (designer.sheet)

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 void read_object(const std::string& text, const std::string& name,
                  const std::function<void(ObjectReader&)>& take) {
-    const nlohmann::json json = parse_json(text, name);
-    ObjectReader object(JsonValue(json, fs::path(name).stem().string(), name));
+    const JsonTree tree = parse_json(text, name);
+    ObjectReader object(JsonValue(tree.root(), fs::path(name).stem().string(), name));
     take(object);
 }
 

@@ -94,8 +94,8 @@ Diffuse read_diffuse(const JsonValue& json) {
 
 Design parse_work(std::string_view json_text, const std::string& file_name_for_errors,
                   const fs::path& base_dir) {
-    const nlohmann::json tree = parse_json(json_text, file_name_for_errors);
-    ObjectReader reader(JsonValue(tree, "", file_name_for_errors));
+    const JsonTree tree = parse_json(json_text, file_name_for_errors);
+    ObjectReader reader(JsonValue(tree.root(), "", file_name_for_errors));
     check_version(reader);
     Design design;
     reader.text("name", design.name);

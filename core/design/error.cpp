@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include "core/design/utf8.h"
@@ -60,6 +61,10 @@ std::string problem_line(const std::exception_ptr& error) {
         std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {
         return "there is not enough memory for this";
+    } catch (const std::system_error& other) {
+        const bool no_thread = other.code() == std::errc::resource_unavailable_try_again;
+        return no_thread ? "there is not enough memory for this: no thread can be started"
+                         : one_line(other.what());
     } catch (const std::exception& other) {
         return one_line(other.what());
     } catch (...) {

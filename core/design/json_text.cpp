@@ -43,11 +43,23 @@ std::string syntax_reason(std::string message) {
     return message.substr(0, read) + (keeps_tail ? message.substr(expected + 1) : "");
 }
 
+// From the leaves on: a container without elements is given back without memory.
+void empty(json& node) {
+    if (auto* const array = node.get_ptr<json::array_t*>()) {
+        for (json& element : *array)
+            if (element.is_structured()) empty(element);
+        array->clear();
+    } else if (auto* const object = node.get_ptr<json::object_t*>()) {
+        for (auto& [key, member] : *object) empty(member);
+        object->clear();
+    }
+}
+
 class TreeBuilder final : public nlohmann::json_sax<json> {
   public:
     TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
-    json tree;
+    JsonTree tree{json()};
 
     bool null() override { return place_other(nullptr); }
     bool boolean(bool value) override { return place_other(value); }
@@ -105,7 +117,7 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
 
     // A pointer stays valid while its node is open: only the innermost container grows.
     json* place(json value) {
-        if (open_.empty()) return &(tree = std::move(value));
+        if (open_.empty()) return &(tree.root() = std::move(value));
         Frame& frame = open_.back();
         if (frame.node->is_object()) return &((*frame.node)[frame.key] = std::move(value));
         if (frame.node->size() == array_max)
@@ -149,7 +161,15 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
 
 }  // namespace
 
-nlohmann::json parse_json(std::string_view text, const std::string& file) {
+JsonTree::JsonTree(json&& root) : root_(std::make_unique<json>(std::move(root))) {}
+
+JsonTree::JsonTree(JsonTree&& other) noexcept = default;
+
+JsonTree::~JsonTree() {
+    if (root_) empty(*root_);
+}
+
+JsonTree parse_json(std::string_view text, const std::string& file) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     // nlohmann's parser takes a zero byte for the end and ignores what follows.

@@ -1,6 +1,7 @@
 // Files that another program changes, or that an output would change, while the designer has them.
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <tuple>
 
 #include "core/design/design_file.h"
@@ -220,6 +221,22 @@ TEST_CASE("changed pictures: one question names them all, and Reload is one step
     CHECK(!talking(r.designer()));
     r.play("key Ctrl+Z\nframes 3");
     CHECK(r.document().design == before);
+}
+
+TEST_CASE("changed pictures: asked about after the design, each question by a key of its own") {
+    const TemporaryFolder folder;
+    write_pictured(folder);
+    Rig r(folder / "mine.nacre");
+    write_grey(folder / "paper.exr", 0.75f);
+    std::ofstream(folder / "mine.nacre", std::ios::app) << "\n";
+    r.play("focus\nframes 3");
+    CHECK(r.designer().files.talking());
+    r.play("key Escape\nframes 3");
+    CHECK(!r.designer().files.talking());
+    CHECK(r.asks("Reload"));
+    r.play("key Enter\nframes 3");
+    CHECK(!talking(r.designer()));
+    CHECK(r.first_texel(1) == 0.75f);
 }
 
 TEST_CASE("changed pictures: what is kept is not asked about until it changes once more") {

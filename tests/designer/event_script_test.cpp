@@ -58,8 +58,8 @@ TEST_CASE("event script: every event") {
 
 TEST_CASE("event script: what is wrong is named with its line") {
     CHECK(complaint("wait\nfly 1 2") ==
-          "tour.txt: line 2: is no event: move, down, up, click, drag, wheel, key, text, frames, wait and "
-          "drop are "
+          "tour.txt: line 2: is no event: move, down, up, click, drag, wheel, key, text, frames, wait, drop "
+          "and focus are "
           "(fly)");
     CHECK(complaint("move 1") == "tour.txt: line 1: needs a place's Y");
     CHECK(complaint("move 1 x") == "tour.txt: line 1: needs a place's Y (x)");

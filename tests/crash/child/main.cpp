@@ -87,7 +87,7 @@ void save(const fs::path& folder) {
     nacre::Settings settings;
     nacre::RecentFiles recent(folder / "state");
     nacre::FileFlow files;
-    files.remember({.settings = &settings, .recent = &recent, .dialogs = {}, .home = folder});
+    files.remember({.settings = &settings, .recent = &recent, .dialogs = {}, .home = folder, .inputs = {}});
     nacre::Autosave autosave(folder / "unsaved");
     nacre::Document document(nacre::starter_design(), folder / "work.nacre");
     document.held = nacre::held_now(std::array<fs::path, 1>{document.file});
