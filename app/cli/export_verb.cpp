@@ -5,6 +5,7 @@
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
+#include "app/cli/output_option.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "core/exchange/export_format.h"
@@ -65,6 +66,7 @@ void declare_export(Command& command, Action& action) {
     const auto format = command.option("--to", options->format, "a format of --list");
     const auto output = command.option("-o,--output", options->output,
                                        "the file or folder to write; - is standard output, for a file");
+    output.check(not_empty);
     add_tolerance_option(command, options->settings.bake);
     const auto prefix =
         command

@@ -18,6 +18,7 @@
 #include "core/design/picture_files.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/output_folder.h"
 #include "core/exchange/output_guard.h"
 
 namespace nacre::cli {
@@ -135,7 +136,7 @@ int gallery(const GalleryOptions& options, Interrupt& interrupt) {
         outputs.push_back(fs::path(options.output) / (name + picture_ending));
     check_all(files, outputs, options.scene, interrupt);
     const Scene scene = options.scene.scene();
-    make_output_folder(options.output);
+    const OutputFolder folder(options.output);
     const auto context = make_offscreen_context({16, 16});
     SheetWriter sheets(sheet_names, options.output, interrupt);
     std::size_t written = 0;

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/design/error.h"
+#include "core/exchange/input_file.h"
 
 namespace nacre::cli {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 constexpr std::size_t block = 4u << 20;     // bytes that are read at once, if they are there
 constexpr std::size_t line_max = 1u << 16;  // bytes: an input without ends of lines cannot fill the memory
 constexpr int look_milliseconds = 50;       // between looks at Ctrl+C
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 }  // namespace
 
@@ -69,7 +69,7 @@ const std::vector<InputLine>& LineSource::next(std::size_t count) {
         check_length(text);
         begin_ = end == std::string_view::npos ? all.size() : end + 1;
         if (text.ends_with('\r')) text.remove_suffix(1);
-        if (number_ == 0 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+        if (number_ == 0) text = without_byte_order_mark(text);
         lines_.push_back({++number_, text});
     }
     taken_ += static_cast<double>(begin_ - before);

@@ -7,6 +7,8 @@
 
 namespace nacre::cli {
 
+std::string not_empty(const std::string& name) { return name.empty() ? "has no value" : ""; }
+
 std::string OutputOption::named() const {
     return file == stream_name ? "-." + (format.empty() ? formats.front() : format) : file;
 }
@@ -18,7 +20,7 @@ std::vector<std::filesystem::path> OutputOption::outputs() const {
 void add_output_option(Command& command, OutputOption& output, const std::vector<std::string>& formats,
                        const std::string& about) {
     output.formats = formats;
-    command.option("-o,--output", output.file, about + "; - is standard output").required();
+    command.option("-o,--output", output.file, about + "; - is standard output").required().check(not_empty);
     if (formats.size() == 1) return;
     command
         .option("--format", output.format,
@@ -36,7 +38,7 @@ Option add_folder_option(Command& command, std::string& folder, const std::strin
 }
 
 std::function<std::string(const std::string&)> no_stream(const std::string& why) {
-    return [why](const std::string& name) { return name == stream_name ? why + ", not -" : ""; };
+    return [why](const std::string& name) { return name == stream_name ? why + ", not -" : not_empty(name); };
 }
 
 }  // namespace nacre::cli

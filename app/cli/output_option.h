@@ -32,7 +32,10 @@ void check_usage(const OutputOption& output);
 // -o of a verb that fills a folder.
 Option add_folder_option(Command& command, std::string& folder, const std::string& about);
 
-// A check of an option that cannot be "-".
+// What is wrong with an empty name, or nothing.
+std::string not_empty(const std::string& name);
+
+// A check of an option that cannot be "-" nor empty.
 std::function<std::string(const std::string&)> no_stream(const std::string& why);
 
 }  // namespace nacre::cli

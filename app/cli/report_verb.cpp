@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
@@ -12,6 +11,7 @@
 #include "core/exchange/accuracy_chart.h"
 #include "core/exchange/accuracy_text.h"
 #include "core/exchange/atomic_file.h"
+#include "core/exchange/output_folder.h"
 #include "core/exchange/output_guard.h"
 
 namespace nacre::cli {
@@ -23,26 +23,6 @@ struct ReportOptions {
     std::vector<std::string> designs;
     std::string folder;
     double longest = AccuracyOptions{}.longest;  // seconds
-};
-
-// The folder for the files, made when it is not there, and removed again unless something was written.
-class OutputFolder {
-  public:
-    explicit OutputFolder(const fs::path& folder) : folder_(folder) {
-        std::error_code error;
-        made_ = !fs::exists(folder, error);
-        make_output_folder(folder);
-    }
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
-    ~OutputFolder() {
-        std::error_code ignored;  // a folder that holds something stays
-        if (made_) fs::remove(folder_, ignored);
-    }
-
-  private:
-    fs::path folder_;
-    bool made_ = false;
 };
 
 std::vector<std::string> names_of(const ReportOptions& options) {

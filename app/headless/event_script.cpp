@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/design/error.h"
+#include "core/exchange/input_file.h"
 
 namespace nacre {
 namespace {
@@ -163,6 +164,7 @@ Event parse_line(Line& line) {
 
 EventScript parse_events(std::string_view text, const std::string& file_for_errors) {
     EventScript script{.file = file_for_errors, .events = {}};
+    text = without_byte_order_mark(text);
     for (int number = 1; !text.empty(); ++number) {
         const auto end = text.find('\n');
         Line line(text.substr(0, end), file_for_errors, number);

@@ -10,6 +10,7 @@
 
 #include "core/design/design.h"
 #include "core/design/error.h"
+#include "core/exchange/input_file.h"
 
 namespace nacre {
 namespace {
@@ -170,8 +171,7 @@ JsonTree::~JsonTree() {
 }
 
 JsonTree parse_json(std::string_view text, const std::string& file) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    text = without_byte_order_mark(text);
     // nlohmann's parser takes a zero byte for the end and ignores what follows.
     if (const std::size_t zero = text.find('\0'); zero != text.npos)
         throw UserError(file, line_and_column(text, zero), "not JSON text", "a zero byte");

@@ -39,6 +39,9 @@ fs::path final_target(const fs::path& file) {
     return target;
 }
 
+// Renames of one kind or other that a file system has not.
+bool is_unknown_to_system(int error) { return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP; }
+
 bool rename_file(const fs::path& from, const fs::path& to) {
     return uninterrupted([&] { return std::rename(from.c_str(), to.c_str()); }) == 0;
 }
@@ -83,7 +86,7 @@ class Replacement {
         }
         // The target is not there, or the file system has no exchange: then there is no way back.
         const bool is_new = errno == ENOENT;
-        if (!is_new && errno != EINVAL && errno != ENOSYS) fail_to_write(written.file(), errno);
+        if (!is_new && !is_unknown_to_system(errno)) fail_to_write(written.file(), errno);
         if (!rename_file(from, to)) fail_to_write(written.file(), errno);
         steps_.push_back({from, to, is_new ? Way::moved : Way::lost});
     }
@@ -133,15 +136,6 @@ fs::path link_target(const fs::path& file) {
         target = target.parent_path() / next;
     }
     fail_to_write(file, ELOOP);
-}
-
-void make_output_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    const bool made = !error && fs::is_directory(folder, error);
-    if (!made)
-        throw UserError(folder.string(), "write", "the folder cannot be made",
-                        error ? error.message() : "it is no folder");
 }
 
 void write_file_atomically(const fs::path& file, std::string_view bytes) {
@@ -197,7 +191,7 @@ bool rename_if_free(const fs::path& from, const fs::path& to) {
         [&] { return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE); });
     if (renamed == 0) return true;
     // Where the file system has no such renaming, a second link does it as well.
-    if (errno != EINVAL && errno != ENOSYS) return false;
+    if (!is_unknown_to_system(errno)) return false;
     if (uninterrupted([&] { return ::link(from.c_str(), to.c_str()); }) != 0) return false;
     ::unlink(from.c_str());
     return true;

@@ -13,9 +13,6 @@ namespace nacre {
 // system does not tell.
 std::filesystem::path link_target(const std::filesystem::path& file);
 
-// With those it lies in. A UserError unless it is there afterwards.
-void make_output_folder(const std::filesystem::path& folder);
-
 // A target that exists keeps its permissions; a symbolic link's target is replaced, not the link.
 // Whatever fails is a UserError about `file`, with the system's reason, and leaves the old file as it was and
 // no temporary file. Those of programs that were killed are removed from the folder.

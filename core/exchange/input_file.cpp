@@ -41,6 +41,12 @@ std::string read_text_file(const fs::path& file, std::uintmax_t bytes_max) {
     return text;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+    return text;
+}
+
 std::string read_first_line(const fs::path& file, std::uintmax_t bytes_max) {
     if (const std::string problem = input_file_problem(file, bytes_max); !problem.empty())
         throw UserError(file.string(), "open", "the file cannot be read", problem);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "core/design/design.h"
 
@@ -17,6 +18,9 @@ std::string input_file_problem(const std::filesystem::path& file,
 // The whole file. What is wrong is a UserError about `file`, at `open` or `read`.
 std::string read_text_file(const std::filesystem::path& file,
                            std::uintmax_t bytes_max = limits::file_bytes_max);
+
+// The text without the mark of UTF-8 that some editors put before it.
+std::string_view without_byte_order_mark(std::string_view text);
 
 // Without its end; the same errors. A file with no line's end is its first line.
 std::string read_first_line(const std::filesystem::path& file,

@@ -4,6 +4,7 @@
 
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/output_folder.h"
 #include "core/exchange/table_manifest.h"
 
 namespace nacre {
@@ -94,7 +95,7 @@ std::vector<fs::path> table_files(const fs::path& folder, const Design& design) 
 // The manifest never stands beside tables that it does not describe, nor tables of two designs together.
 void write_table_files(const fs::path& folder, const Design& design, const Tables& tables,
                        const TableErrors& errors) {
-    make_output_folder(folder);
+    const OutputFolder made(folder);
     const std::vector<TablePicture> pictures = table_pictures(tables);
     const std::string manifest = table_manifest(design, tables, pictures, errors);
     std::vector<ImageBytes> encoded;

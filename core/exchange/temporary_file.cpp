@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/design/error.h"
 #include "core/exchange/system_call.h"
@@ -40,6 +42,21 @@ bool is_temporary_name(std::string_view name) {
 
 // Modes and groups are no matter of every file system, nor of every user.
 bool is_refused(int error) { return error == EPERM || error == ENOSYS || error == EOPNOTSUPP; }
+
+// Who else may do what, or where nobody is named, nobody. Else the bits of the group, which bound what all of
+// them may, would be given to the group.
+bool take_over_list(const fs::path& from, int to) {
+    constexpr const char* name = "system.posix_acl_access";
+    const ssize_t size = ::getxattr(from.c_str(), name, nullptr, 0);
+    if (size <= 0) {
+        const bool has_none = size == 0 || errno == ENODATA || errno == EOPNOTSUPP;
+        ::fremovexattr(to, name);
+        return has_none;
+    }
+    std::vector<char> list(static_cast<std::size_t>(size));
+    return ::getxattr(from.c_str(), name, list.data(), list.size()) == size &&
+           ::fsetxattr(to, name, list.data(), list.size(), 0) == 0;
+}
 
 // To lock a file on NFS takes the right to write it.
 int open_to_lock(int folder, const char* name) {
@@ -125,11 +142,10 @@ void TemporaryFile::take_over_access() const {
     const bool same_group = own.st_gid == old.st_gid;
     const bool given = (own.st_uid == old.st_uid && same_group) || give_to(old.st_uid) ||
                        (is_refused(errno) && (same_group || give_to(static_cast<uid_t>(-1))));
-    if (!given) {
-        if (!is_refused(errno)) fail_to_write(file_, errno);
-        // Another group may do no more than everybody.
+    if (!given && !is_refused(errno)) fail_to_write(file_, errno);
+    // Another group may do no more than everybody.
+    if (!take_over_list(target_, descriptor_) || !given)
         mode = (mode & ~static_cast<mode_t>(S_IRWXG)) | ((mode & S_IRWXO) << 3);
-    }
     if (uninterrupted([&] { return ::fchmod(descriptor_, mode); }) != 0 && !is_refused(errno))
         fail_to_write(file_, errno);
 }

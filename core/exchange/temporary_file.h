@@ -16,8 +16,8 @@ class TemporaryFile {
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile();
 
-    // All of it, and on the disk when it returns. It then has the mode and group of the target that is there,
-    // without the bits that would let it run as somebody else.
+    // All of it, and on the disk when it returns. It then has the mode, group and access control list of the
+    // target that is there, without the bits that would let it run as somebody else.
     void write(std::string_view bytes);
 
     const std::filesystem::path& file() const { return file_; }

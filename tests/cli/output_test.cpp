@@ -140,5 +140,7 @@ TEST_CASE("-o=FILE means FILE, as --output=FILE does") {
     const Finished empty = run_cli({"export", design.path(), "--to", "glsl", "-o=", folder / "a.glsl"});
     CHECK(empty.code == 2);
     CHECK_MESSAGE(is_one_line_with(empty.err, {"-o="}), empty.err);
+    for (const std::string& option : {std::string("--output="), std::string("-o")})
+        CHECK(run_cli({"export", design.path(), "--to", "glsl", option, ""}).code == 2);
     CHECK(folder.size() == 0);
 }

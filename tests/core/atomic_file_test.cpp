@@ -4,7 +4,10 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
+
+#include <cstdint>
 
 #include "core/exchange/image_file.h"
 #include "tests/core/file_size_limit.h"
@@ -144,6 +147,34 @@ TEST_SUITE("atomic file") {
         write_file_atomically(folder / "fresh", "new");
         ::umask(before);
         CHECK(fs::status(folder / "fresh").permissions() == fs::perms(0640));
+    }
+
+    TEST_CASE("atomic file: an access control list stays") {
+        const TemporaryFolder folder;
+        const fs::path file = folder / "file";
+        write_all(file, "old");
+        REQUIRE(::chmod(file.c_str(), 0640) == 0);
+        // Version 2; (tag, permissions, id): the owner may read and write, user 12 and the mask read, others
+        // not.
+        struct Entry {
+            std::uint16_t tag, permissions;
+            std::uint32_t id;
+        };
+        const std::uint32_t version = 2, nobody = ~0u;
+        const Entry entries[] = {
+            {0x01, 6, nobody}, {0x02, 4, 12}, {0x04, 0, nobody}, {0x10, 4, nobody}, {0x20, 0, nobody}};
+        std::string list(reinterpret_cast<const char*>(&version), sizeof version);
+        list.append(reinterpret_cast<const char*>(entries), sizeof entries);
+        constexpr const char* name = "system.posix_acl_access";
+        if (::setxattr(file.c_str(), name, list.data(), list.size(), 0) != 0)
+            return;  // the file system has none
+        write_file_atomically(file, "new");
+        std::string found(100, '\0');
+        const ssize_t size = ::getxattr(file.c_str(), name, found.data(), found.size());
+        REQUIRE(size >= 0);
+        CHECK(found.substr(0, static_cast<std::size_t>(size)) == list);
+        CHECK(fs::status(file).permissions() == fs::perms(0640));
+        CHECK(read_all(file) == "new");
     }
 
     TEST_CASE("atomic file: what a killed program left is removed, and nothing else") {

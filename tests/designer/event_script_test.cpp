@@ -56,6 +56,12 @@ TEST_CASE("event script: every event") {
     CHECK(script.events[10].line == 13);
 }
 
+TEST_CASE("event script: a byte order mark before the first line is skipped, and nowhere else") {
+    CHECK(parse_events("\xEF\xBB\xBFmove 10 20\nwait\n", "tour.txt").events.size() == 2);
+    CHECK(parse_events("\xEF\xBB\xBF", "tour.txt").events.empty());
+    CHECK(complaint("wait\n\xEF\xBB\xBFwait\n").find("line 2") != std::string::npos);
+}
+
 TEST_CASE("event script: what is wrong is named with its line") {
     CHECK(complaint("wait\nfly 1 2") ==
           "tour.txt: line 2: is no event: move, down, up, click, drag, wheel, key, text, frames, wait, drop "

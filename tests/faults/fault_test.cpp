@@ -83,6 +83,7 @@ void check_outcome(const Fault& fault, const Outcome& outcome, const fs::path& f
     if (fault.call != "unlink") CHECK(!has_temporary(found));
     if (!done) CHECK(outcome.error.find(std::strerror(fault.error)) != std::string::npos);
     if (!done) CHECK(outcome.error.find(folder.string()) == 0);
+    if (!done && old.empty() && fault.call != "unlink") CHECK(fs::is_empty(folder));
     const bool passes = fault.error == EINTR || fault.error == 0;
     if (passes && (fault.call == "write" || fault.call == "open" || fault.call.starts_with("rename")))
         CHECK(done);
