@@ -16,7 +16,7 @@ class Exports {
             design.name = which == 0 ? "first" : "second";
             design.distribution.layers[0].lobe = BeckmannLobe{0.2 + 0.2 * which, 0.2 + 0.2 * which};
             for (const ExportFormat& format : export_formats())
-                writers_[which].push_back(format.prepare(design, {.threads = 1}, {}, {}));
+                writers_[which].push_back(format.prepare(design, {.bake = {.threads = 1}}, {}, {}));
         }
     }
 
