@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <glm/common.hpp>
 #include <numbers>
+#include <string>
 
 #include "core/design/error.h"
 #include "core/exchange/image_file.h"
@@ -204,6 +206,18 @@ TEST_CASE("normal map: heights are slopes across their lines, of any sign") {
         for (glm::vec3& colour : ramp.colours) colour.z = 0;
         CHECK(normals_of_heights(ramp, 1).at(8 * 4 + 4) == n);
     }
+}
+
+TEST_CASE("normal map: heights keep their 16 bits") {
+    const test::TemporaryFolder folder;
+    std::string text = "P2 8 8 65535\n";
+    for (int i = 0; i < 64; ++i) text += std::to_string(30000 + 3 * (i % 8)) + "\n";
+    std::ofstream(folder.path() / "ramp.pgm") << text;
+    const ColourPicture picture = load_colours(folder.path() / "ramp.pgm");
+    // A depth of 1000 breadths: 3/65535 of it a pixel, which is an eighth of the breadth.
+    const double slope = 1000 * 8 * 3 / 65535.0;
+    CHECK(normals_of_heights(picture, 1000).at(8 * 4 + 4).x ==
+          doctest::Approx(-slope / std::hypot(1, slope)).epsilon(0.01));
 }
 
 TEST_CASE("normal map: files of any shape are read, what is none is told") {

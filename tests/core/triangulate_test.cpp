@@ -228,7 +228,7 @@ TEST_CASE("triangulate: what crosses itself or has no area is cut into some tria
     CHECK(triangulated(Polygon{{0, 0, 0}, {1, 0, 0}}).empty());
 }
 
-TEST_CASE("triangulate: the steps grow no faster than n log n") {
+TEST_CASE("triangulate: the steps grow as n log n, with long thin spikes as n^1.5") {
     const std::vector<std::pair<std::string, std::function<std::vector<glm::dvec2>(int)>>> kinds = {
         {"circle", circle},
         {"star", star},
@@ -259,9 +259,12 @@ TEST_CASE("triangulate: the steps grow no faster than n log n") {
         CAPTURE(name);
         CAPTURE(few);
         CAPTURE(many);
-        // A square would be 256, n log n 22.
-        CHECK(static_cast<double>(many) < 100 * static_cast<double>(few) * static_cast<double>(large.size()) /
-                                              (16 * static_cast<double>(small.size())));
+        // Of 16 times as many corners: n log n is 22 times as many steps, n^1.5 64, n^2 256.
+        const double allowed = name == "comb" || name == "ragged" ? 100 : 32;
+        const auto growth = [](std::size_t now, std::size_t before) {
+            return static_cast<double>(now) / static_cast<double>(before);
+        };
+        CHECK(growth(many, few) < allowed * growth(large.size(), small.size()) / 16);
         CHECK(static_cast<double>(many) < 64 * static_cast<double>(large.size()) * std::log2(large.size()));
     }
 }
