@@ -54,7 +54,7 @@ void options(ExportDialog& dialog) {
          .tooltip =
              "The error that the tables are made for: of the projected area g in parts of itself, of the "
              "albedo R in parts of the light that falls in. Smaller errors need larger tables; all of them "
-             "together never take more than 64 KiB."},
+             "together take 64 KiB at the most, or 256 KiB where that does not suffice."},
         dialog.tolerance);
     ImGui::Dummy(ImVec2(0, ImGui::GetFrameHeight()));  // as high as the two rows of a picture
 }
