@@ -56,7 +56,7 @@ void options(ExportDialog& dialog) {
          .tooltip =
              "The error that the tables are made for: of the projected area g in parts of itself, of the "
              "albedo R in parts of the light that falls in. Smaller errors need larger tables; all of them "
-             "together take 64 KiB at the most, or 256 KiB where 64 do not suffice."},
+             "together take 64 KiB at the most, or 256 KiB where that does not suffice."},
         dialog.tolerance);
     if (dialog.formats[dialog.chosen].has_names)
         text_field(

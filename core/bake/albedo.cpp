@@ -46,6 +46,9 @@ Order order(std::size_t level) {
 
 constexpr std::size_t orders = 6;
 
+// A rule of more points is not refined further.
+constexpr std::size_t most_points = 50000;
+
 // So many facets are summed at a time: they stay near the processor.
 constexpr std::size_t batch = 512;
 
@@ -172,6 +175,15 @@ std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) {
 
 bool AlbedoRule::refine_at(const std::vector<dvec3>& directions, double tolerance) {
     const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
+    auto points = [&] {
+        std::size_t sum = 0;
+        for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) {
+            const std::size_t spans = distribution_.lobes()[lobe].lobe->spans().size(), level = level_[lobe];
+            sum += spans == 0 ? facet_counts[level]
+                              : 2 * spans * order(level).psi.size() * order(level).chi.size();
+        }
+        return sum;
+    };
     bool refined = false;
     for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) {
         const bool smooth = !distribution_.lobes()[lobe].lobe->spans().empty();
@@ -181,7 +193,8 @@ bool AlbedoRule::refine_at(const std::vector<dvec3>& directions, double toleranc
         for (const dvec3 k : directions) {
             const double g = distribution_.projected_area(k);
             const AlbedoValues best = over_lobe(lobe, finest, k, g);
-            while (level_[lobe] < finest && difference(over_lobe(lobe, level_[lobe], k, g), best) > part) {
+            while (level_[lobe] < finest && points() < most_points &&
+                   difference(over_lobe(lobe, level_[lobe], k, g), best) > part) {
                 ++level_[lobe];
                 refined = true;
             }

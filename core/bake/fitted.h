@@ -22,7 +22,7 @@ struct Fitted {
     std::shared_ptr<const Table> table;
     AxisError error;
     TableNodes nodes{};
-    bool kept = false;  // to what was wanted of it
+    bool kept = false;  // to the errors that were wanted; false where any size would do
 };
 
 // What is asked of a table.
@@ -49,6 +49,7 @@ class TableFit {
     // promises to hold too; else the best within the limit. Then it is searched.
     Result within_limit(TableNodes first) {
         tried_.clear();
+        made_.clear();
         hidden_ = dvec2{0};
         Result best = made(first);
         constexpr int rounds = 6;
@@ -60,8 +61,9 @@ class TableFit {
             const Result less = made(smaller);
             if (less.error.all.worst <= wishes_.target) best = less;
         }
-        const bool kept = best.error.all.worst <= wishes_.target;
+        const bool kept = wishes_.limit > 0 && best.error.all.worst <= wishes_.target;
         search(best);
+        if (best.error.all.worst > wishes_.tolerance) look_back(best);
         best.kept = kept && best.error.all.worst <= wishes_.tolerance;
         return best;
     }
@@ -92,7 +94,18 @@ class TableFit {
         Result result = maker_.make(nodes);
         tried_.push_back({nodes, result.error.all.worst});
         searching_ ? search(result) : learn(result);
+        made_.push_back(result);
         return result;
+    }
+
+    // What was left on the way errs less, it may be, where the table that was taken errs most.
+    void look_back(Result& best) {
+        for (Result other : made_) {
+            if (other.nodes == best.nodes || maker_.shared(other) >= worth_it * best.error.all.worst)
+                continue;
+            search(other);
+            if (other.error.all.worst < best.error.all.worst) best = std::move(other);
+        }
     }
 
     void search(Result& result) {
@@ -155,6 +168,7 @@ class TableFit {
     Symmetry symmetry_;
     FitWishes wishes_;
     std::vector<TriedSize> tried_;
+    std::vector<Result> made_;
     bool searching_ = false;  // each table that is made
     // The most that any table erred away from the lines between nodes, for one cell along each axis: what
     // stands between both kinds of nodes hides which of them it owes to.

@@ -17,9 +17,13 @@ constexpr double area_part = 0.75, albedo_part = 0.8;
 // What a reader of the tables may find more than they claim: see allowed_error().
 constexpr double claim_slack = 1.25;
 
-// Floats of all tables of a design, 64 KiB, and what of them g may take; where that does not suffice, four
-// times as many.
-constexpr int floats_usual = 16384, area_floats_usual = 7424, growth = 4;
+// Floats of all tables of a design, 64 KiB, and what of them g may take; where that does not suffice, at most
+// so many times as many.
+constexpr int floats_usual = 16384, area_floats_usual = 7424, growth_most = 4;
+
+// What a direction costs is the lobes' sum, where a picture counts as so many smooth ones; tables grow less
+// where it is more than the budget allows.
+constexpr int picture_cost = 4, growth_budget = 64;
 
 // Directions by which R is measured.
 constexpr int final_probes = 160, draft_probes = 16;
@@ -39,6 +43,13 @@ double lean_of(const FacetDistribution& distribution) {
     const dvec3 moment = distribution.area({0, 0, 1}).gradient;
     const double slope = std::hypot(moment.x, moment.y) / moment.z;
     return slope > 1e-9 ? slope : 0;
+}
+
+int growth_of(const FacetDistribution& distribution) {
+    int cost = 0;
+    for (const PlacedLobe& placed : distribution.lobes())
+        cost += placed.lobe->spans().empty() ? picture_cost : 1;
+    return std::clamp(growth_budget / std::max(cost, 1), 1, growth_most);
 }
 
 class AreaMaker {
@@ -142,7 +153,7 @@ FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution
     const bool draft = options.quality == Quality::draft, fixed = draft || options.size.has_value();
     const double tolerance = fixed ? never : options.tolerance;
     const FitWishes wishes{fixed ? never : area_part * tolerance, tolerance, fixed ? 0 : area_floats_usual,
-                           fixed ? 0 : growth * area_floats_usual};
+                           fixed ? 0 : growth_of(*distribution) * area_floats_usual};
     const TableNodes first{plan.nodes.w, plan.nodes.psi};
     AreaMaker maker(distribution, plan, options.tolerance, material, workers);
     TableFit<AreaMaker> with(maker, plan.symmetry.symmetry, wishes), without = with;
@@ -179,8 +190,9 @@ FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, cons
         std::max(albedo_part * tolerance - area_error.all.root_mean_square, 0.3 * tolerance);
     const int area_floats = static_cast<int>(area.data().size()), tables = 1 + plan.fresnel_tables;
     const int usual = std::max(floats_usual - area_floats, floats_usual - area_floats_usual) / tables;
-    const FitWishes wishes{fixed ? never : target, fixed ? never : rest, fixed ? 0 : usual,
-                           fixed ? 0 : (growth * floats_usual - area_floats) / tables};
+    const FitWishes wishes{
+        fixed ? never : target, fixed ? never : rest, fixed ? 0 : usual,
+        fixed ? 0 : std::max(growth_of(*area.distribution()) * floats_usual - area_floats, 0) / tables};
     AlbedoRules rules(area, material, plan.fresnel_tables, effort);
     AlbedoMaker maker(rules, plan, tolerance / claim_slack - area_error.all.root_mean_square, workers);
     TableFit<AlbedoMaker> fit(maker, plan.symmetry.symmetry, wishes);

@@ -8,8 +8,9 @@ namespace {
 
 // Cells along an axis, each a fifth or so more than the last; multiples of four, so that a full turn's rows
 // stand on every quarter.
-constexpr std::array<int, 26> steps = {8,  12, 16,  20,  24,  28,  32,  40,  48,  56,  64,  72,  80,
-                                       88, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 768};
+constexpr std::array<int, 30> steps = {8,   12,  16,  20,  24,  28,  32,   40,   48,   56,
+                                       64,  72,  80,  88,  96,  112, 128,  160,  192,  224,
+                                       256, 320, 384, 448, 512, 768, 1024, 1536, 2048, 3072};
 
 // Rows for so many cells: a full turn closes on its first row.
 int rows(int cells, Symmetry symmetry) {
