@@ -18,7 +18,6 @@
 #include "ui/escape.h"
 #include "ui/item_map.h"
 #include "ui/material_panel.h"
-#include "ui/number_item.h"
 #include "ui/presets_panel.h"
 #include "ui/status_line.h"
 #include "ui/term_bar.h"
@@ -198,8 +197,7 @@ void draw_all(Designer& designer) {
     Document& document = designer.document;
     prepare_dialogs(designer);
     ui::close_popup_by_escape();
-    // A second click elsewhere is a change of its own.
-    if (!ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click()) document.commit();
+    end_click(designer);
     // The first tables are baked while the rest of the first frame is drawn.
     if (!designer.preview.has_picture()) ask(designer);
     if (!talking(designer))
@@ -225,13 +223,7 @@ void draw_all(Designer& designer) {
     follow_files(designer);
     draw_dialogs(designer);
 
-    ui::take_escape_of_drag();
-    if (ui::drag_taken_back()) take_back(designer);
-    // One step of undo for each drag, double click or typed text: it ends when nothing is held.
-    if (!ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click()) {
-        document.commit();
-        designer.rest = at_rest(designer);
-    }
+    end_edit(designer);
     ask(designer);
     keep(designer);
     ui::reserve_tab();

@@ -1,8 +1,15 @@
 #include "app/designer/take_back.h"
 
+#include <imgui.h>
+
 #include "app/designer/designer.h"
+#include "ui/escape.h"
+#include "ui/number_item.h"
 
 namespace nacre {
+namespace {
+
+bool nothing_held() { return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click(); }
 
 AtRest at_rest(const Designer& designer) {
     return {.scene = designer.scene,
@@ -22,6 +29,20 @@ void take_back(Designer& designer) {
     designer.plots.state = rest.plots;
     designer.preview.look.divider = rest.divider;
     designer.layers.chosen = rest.layer;
+}
+
+}  // namespace
+
+void end_click(Designer& designer) {
+    if (nothing_held()) designer.document.commit();
+}
+
+void end_edit(Designer& designer) {
+    ui::take_escape_of_drag();
+    if (ui::drag_taken_back()) take_back(designer);
+    if (!nothing_held()) return;
+    designer.document.commit();
+    designer.rest = at_rest(designer);
 }
 
 }  // namespace nacre

@@ -1,4 +1,4 @@
-// A drag that Escape takes back.
+// Where an edit ends: as one step of undo, or taken back by Escape.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,11 @@ struct AtRest {
     std::size_t layer = 0;  // chosen
 };
 
-AtRest at_rest(const Designer& designer);
+// At the beginning of a frame: a click on a slider is done where no second one makes a double click of it.
+void end_click(Designer& designer);
 
-// The design as its newest step of undo has it, and the rest as it was.
-void take_back(Designer& designer);
+// At the end of a frame. A drag that Escape takes back leaves the design as its newest step of undo has it,
+// and the rest as it was; else each drag, double click or typed text is one step once nothing is held.
+void end_edit(Designer& designer);
 
 }  // namespace nacre
