@@ -91,8 +91,8 @@ class LobeModel {
 
 // How finely a lobe that holds a picture is parted into facets; any other is exact as it is.
 enum class Fineness {
-    bake,  // g to about 1e-5 of N, for tables
-    exact  // to 1e-6: the truth
+    bake,  // for tables: g to 3e-6 of the whole, 1e-4 of a modulated lobe whose texels are noise
+    exact  // the truth: 1e-6 and 1e-5
 };
 
 // The model of a layer's lobe, its modulation included; frame, weight and name play no part.

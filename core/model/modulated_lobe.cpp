@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -20,7 +21,7 @@ class Modulated final : public LobeModel {
         : base_(std::move(base)),
           factor_(modulation),
           side_(fineness == Fineness::bake ? 128 : 512),
-          pieces_a_texel_(fineness == Fineness::bake ? 1 : 6) {
+          pieces_a_texel_(fineness == Fineness::bake ? 2 : 6) {
         for (const LobeSpan& span : base_->spans()) pyramids_.push_back(make_pyramid(span));
     }
 
@@ -83,7 +84,8 @@ class Modulated final : public LobeModel {
     }
 
   private:
-    static constexpr int pieces_most = 16;  // of a cell around the axis
+    static constexpr double faintest = 1e-9;  // of p, where its mean is 1
+    static constexpr int pieces_most = 16;    // of a cell around the axis
 
     // Two of Gauss's points in each of so many pieces of [0, 1].
     static double place(int i, int pieces) {
@@ -99,12 +101,11 @@ class Modulated final : public LobeModel {
         return std::clamp(static_cast<int>(std::ceil(pieces)), 1, pieces_most);
     }
 
-    // t from low to high on the great circle at an azimuth, cut where p has a corner: at the lobe's own, and
-    // where the circle, on the disk a straight line from its middle, crosses the lines between middles of
-    // texels.
-    void cut_line(const LobeSpan& span, double low, double high, dvec2 azimuth,
-                  std::vector<double>& cuts) const {
-        cuts = {low, high};
+    // The ends of a piece of the great circle at an azimuth, in t; it is cut where p has a corner: at the
+    // lobe's own, and where the circle, on the disk a straight line from its middle, crosses the lines
+    // between middles of texels.
+    void cut_line(const LobeSpan& span, dvec2 azimuth, std::vector<double>& cuts) const {
+        const double low = cuts.front(), high = cuts.back();
         const auto add = [&](double t) {
             if (t > low && t < high) cuts.push_back(t);
         };
@@ -130,18 +131,29 @@ class Modulated final : public LobeModel {
         std::sort(cuts.begin(), cuts.end());
     }
 
+    // Of a lobe without corners.
+    bool next_to_nothing(const LobeSpan& span, const std::array<SpanPoint, 2>& corners) const {
+        const double part = 2 * std::numbers::pi / base_->mass();
+        return span.breaks.empty() && std::all_of(corners.begin(), corners.end(), [&](const SpanPoint& at) {
+                   return base_->density(at.h) * at.solid_angle * part < faintest;
+               });
+    }
+
     // visit(its h, its mass) for the points of a cell.
     template <class Visit>
     void visit_cell(const LobeSpan& span, int row, int column, const Visit& visit) const {
         const double turn = 2 * std::numbers::pi / side_;
         const double low = static_cast<double>(row) / side_, high = (row + 1.0) / side_;
-        const auto corner = [&](double t, int c) { return span_point(span, t, unit_vector(c * turn)).h; };
-        const int columns = std::max(pieces_between(corner(low, column), corner(low, column + 1)),
-                                     pieces_between(corner(high, column), corner(high, column + 1)));
+        const auto corner = [&](double t, int c) { return span_point(span, t, unit_vector(c * turn)); };
+        // A cell is broadest where it is farthest from the axis.
+        const SpanPoint outer = corner(low, column);
+        const bool faint = next_to_nothing(span, {outer, corner(high, column)});
+        const int columns = faint ? 1 : pieces_between(outer.h, corner(low, column + 1).h);
         std::vector<double> cuts;
         for (int j = 0; j < 2 * columns; ++j) {
             const dvec2 azimuth = unit_vector(turn * (column + place(j, columns)));
-            cut_line(span, low, high, azimuth, cuts);
+            cuts = {low, high};
+            if (!faint) cut_line(span, azimuth, cuts);
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
                 for (int point = 0; point < 2; ++point) {
                     const double length = cuts[i + 1] - cuts[i];

@@ -13,6 +13,7 @@
 #include "core/paint/stroke.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
+#include "tests/core/texel_sums.h"
 
 using namespace nacre;
 
@@ -112,23 +113,10 @@ TEST_CASE(
     const Design painted = test::design_of(PaintedLobe{{{}, stroke.raster()}});
     const FacetDistribution p(painted.distribution);
     const dvec3 k = test::random_direction(random);
-    double mass = 0, g = 0;
-    dvec3 mean{0};
-    const std::vector<float>& values = stroke.raster()->values;
-    for (int i = 0; i < painted_side; ++i)
-        for (int j = 0; j < painted_side; ++j) {
-            const glm::dvec2 point = texel_point(painted_side, i, j);
-            if (!holds_facets(point)) continue;
-            const double m = static_cast<double>(values[static_cast<std::size_t>(i * painted_side + j)]);
-            const dvec3 h = disk_direction(point);
-            mass += m;
-            mean += m * h;
-            g += m * std::max(glm::dot(h, k), 0.0);
-        }
-    CHECK(glm::length(p.mean() - mean / mass) < 1e-12);
-    CHECK(p.projected_area(k) == doctest::Approx(g / mass).epsilon(1e-12));
-    CHECK(raster_mass(*stroke.raster()) ==
-          doctest::Approx(mass * texel_solid_angle(painted_side)).epsilon(1e-12));
+    const test::TexelSums sums = test::texel_sums(*stroke.raster(), glm::dmat3(1), {k});
+    CHECK(glm::length(p.mean() - sums.mean / sums.mass) < 2e-6);
+    CHECK(p.projected_area(k) == doctest::Approx(sums.areas.front() / sums.mass).epsilon(1e-5));
+    CHECK(raster_mass(*stroke.raster()) == doctest::Approx(sums.mass).epsilon(1e-5));
 }
 
 TEST_CASE("painted layer: a picture in another unit comes to the brush's, and p is the same") {

@@ -14,9 +14,9 @@
 namespace nacre::test {
 
 struct TexelSums {
-    double mass = 0;            // of the values
-    dvec3 mean{0};              // of value h
-    std::vector<double> areas;  // of value (h.k)+, for each view k
+    double mass = 0;            // of the values, times solid angle
+    dvec3 mean{0};              // of the same times h
+    std::vector<double> areas;  // of the same times (h.k)+, for each view k
 };
 
 // A texel off the disk is read as the nearest on it, several as near as their mean.
@@ -58,13 +58,13 @@ inline TexelSums texel_sums(const Raster& raster, const glm::dmat3& frame, const
             const int i = static_cast<int>(std::floor(y)), j = static_cast<int>(std::floor(x));
             const double a = value(i, j), b = value(i, j + 1), c = value(i + 1, j), d = value(i + 1, j + 1);
             if (!holds_facets(point) || a + b + c + d == 0) continue;
-            const double p =
-                (a * (j + 1 - x) + b * (x - j)) * (i + 1 - y) + (c * (j + 1 - x) + d * (x - j)) * (y - i);
+            const double top = a * (j + 1 - x) + b * (x - j), bottom = c * (j + 1 - x) + d * (x - j);
+            const double mass = (top * (i + 1 - y) + bottom * (y - i)) * texel_solid_angle(parts * side);
             const dvec3 h = frame * disk_direction(point);
-            sums.mass += p;
-            sums.mean += p * h;
+            sums.mass += mass;
+            sums.mean += mass * h;
             for (std::size_t k = 0; k < views.size(); ++k)
-                sums.areas[k] += p * std::max(glm::dot(h, views[k]), 0.0);
+                sums.areas[k] += mass * std::max(glm::dot(h, views[k]), 0.0);
         }
     return sums;
 }
