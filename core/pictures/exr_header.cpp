@@ -70,7 +70,10 @@ void read_channels(std::string_view data, ExrHeader& header) {
             throw PictureProblem("the EXR file's list of channels is damaged");
         if (little_endian(data, end + 9, 4) != 1 || little_endian(data, end + 13, 4) != 1)
             header.subsampled.emplace_back(data.substr(0, end));
-        header.pixel_bytes += little_endian(data, end + 1, 4) == 1 ? 2 : 4;  // half, float and uint
+        constexpr std::uint64_t half = 1, real = 2;
+        const std::uint64_t type = little_endian(data, end + 1, 4);
+        header.pixel_bytes += type == half ? 2 : 4;
+        header.pxr24_pixel_bytes += type == half ? 2 : type == real ? 3 : 4;
         data.remove_prefix(end + 1 + rest);
     }
 }
@@ -154,6 +157,7 @@ ExrHeaders read_exr_headers(const FileBytes& file) {
     } while ((flags & several) != 0 && !file.read(cursor.at(), 1).starts_with('\0'));
     found.is_deep =
         found.parts[0].type.starts_with("deep") || ((flags & deep) != 0 && (flags & several) == 0);
+    found.is_multipart = (flags & several) != 0;
     found.end = cursor.at() + ((flags & several) != 0 ? 1 : 0);
     if (found.end > file.size()) throw PictureProblem("the EXR file is cut short");
     found.pieces.push_back({{}, cursor.at(), file.size() - cursor.at()});

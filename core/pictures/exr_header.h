@@ -14,9 +14,9 @@ namespace nacre {
 struct ExrHeader {
     std::array<std::int64_t, 4> data_window{}, display_window{};  // least x, y, largest x, y
     unsigned compression = 0;
-    std::optional<std::array<std::int64_t, 2>> tile;  // width and height
-    std::vector<std::string> subsampled;              // channels
-    std::int64_t pixel_bytes = 0;
+    std::optional<std::array<std::int64_t, 2>> tile;      // width and height
+    std::vector<std::string> subsampled;                  // channels
+    std::int64_t pixel_bytes = 0, pxr24_pixel_bytes = 0;  // as decoded, and as Pxr24 keeps them
     std::optional<std::array<double, 8>> chromaticities;
     bool is_cube = false;
     std::string name, type;
@@ -27,7 +27,7 @@ struct ExrHeader {
 
 struct ExrHeaders {
     std::vector<ExrHeader> parts;
-    bool is_deep = false;
+    bool is_deep = false, is_multipart = false;
     std::uint64_t end = 0;      // where the table of blocks begins
     std::vector<Piece> pieces;  // the file; what makes no pixels hidden from the decoder
 };

@@ -177,6 +177,21 @@ TEST_CASE("damaged picture: rows of nothing but a claim take no memory") {
     CHECK(resident_most() - before < 300 * 1024);
 }
 
+TEST_CASE("damaged picture: blocks of an EXR that hold fewer pixels than they stand for are refused") {
+    const TemporaryFolder folder;
+    for (const char* compression : {"none", "rle", "zips", "zip", "piz", "pxr24", "b44", "dwaa", "dwab"}) {
+        CAPTURE(compression);
+        const fs::path file = folder / (std::string(compression) + ".exr");
+        write_picture(file, quarters(), {.texts = {{"compression", compression}}});
+        REQUIRE(load_colours(file).width == 64);
+        // 9 * 256 more columns of data, outside of what is shown.
+        std::string bytes = read_all(file);
+        bytes[bytes.find("dataWindow") + 11 + 6 + 4 + 9] = 9;
+        write_all(file, bytes);
+        CHECK(is_error(outcome(file, 85)));
+    }
+}
+
 TEST_CASE("damaged picture: any number of an EXR's attributes changes nothing") {
     const TemporaryFolder folder;
     write_all(folder / "few.exr", exr_file(quarters(), 0));
