@@ -93,7 +93,7 @@ void ExportFlow::draw_file(const Document& document, PreviewPane& preview, const
         return;
     }
     output_ = answer->chosen;
-    if (!may_write()) return;
+    if (!may_write(document.design)) return;
     if (!replaced(output_).empty())
         step_ = Step::replace;
     else
@@ -110,9 +110,11 @@ void ExportFlow::draw_question(const Document& document, PreviewPane& preview, c
 }
 
 // Says why not.
-bool ExportFlow::may_write() {
+bool ExportFlow::may_write(const Design& design) {
     try {
-        if (!extension_of(dialog_.chosen).empty()) check_outputs({output_}, inputs_());
+        check_outputs(is_picture(dialog_.chosen) ? std::vector{output_}
+                                                 : export_formats()[dialog_.chosen].files(design, output_),
+                      inputs_());
         return true;
     } catch (const std::exception&) {
         problem_ = problem_line();

@@ -46,7 +46,7 @@ class ExportFlow {
     void ask_file(const Document& document);
     void draw_file(const Document& document, PreviewPane& preview, const Scene& scene);
     void draw_question(const Document& document, PreviewPane& preview, const Scene& scene);
-    bool may_write();
+    bool may_write(const Design& design);
     void begin(const Document& document, PreviewPane& preview, const Scene& scene);
     void start_work(const Document& document, PreviewPane& preview, const Scene& scene);
     std::optional<std::string> draw_work();

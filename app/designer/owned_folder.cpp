@@ -16,6 +16,7 @@
 
 #include "app/designer/kept_file.h"
 #include "core/design/error.h"
+#include "core/exchange/temporary_file.h"
 
 namespace nacre {
 namespace {
@@ -36,9 +37,6 @@ bool is_owners_name(std::string_view name) {
     return name.substr(0, dash).find_first_not_of("0123456789") == name.npos &&
            name.substr(dash + 1).find_first_not_of("0123456789abcdef") == name.npos;
 }
-
-// What a write leaves that is cut off.
-bool is_temporary(std::string_view name) { return name.starts_with(".nacre-") && name.ends_with(".nacre"); }
 
 // The entry itself, where it is a link too.
 std::optional<struct stat> entry(int folder, const char* name) {
@@ -74,7 +72,7 @@ Contents contents_of(const fs::path& folder) {
         const bool regular = fs::is_regular_file(it->symlink_status(unreadable));
         if (regular && name == autosave_name)
             contents.work = true;
-        else if (regular && is_temporary(name))
+        else if (regular && is_temporary_name(name))
             contents.temporary.push_back(name);
         else if (!regular || name != lock_name)
             contents.foreign = true;

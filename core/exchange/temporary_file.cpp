@@ -28,18 +28,6 @@ constexpr std::string_view prefix = ".nacre-";
 constexpr std::size_t random_digits = 16;
 constexpr int attempts = 100;
 
-// .nacre-PROCESS-RANDOM, the second in hexadecimal.
-bool is_temporary_name(std::string_view name) {
-    if (!name.starts_with(prefix)) return false;
-    name.remove_prefix(prefix.size());
-    const std::size_t dash = name.find('-');
-    if (dash == 0 || dash == std::string_view::npos || name.size() != dash + 1 + random_digits) return false;
-    const auto all_of = [](std::string_view text, std::string_view allowed) {
-        return text.find_first_not_of(allowed) == std::string_view::npos;
-    };
-    return all_of(name.substr(0, dash), "0123456789") && all_of(name.substr(dash + 1), "0123456789abcdef");
-}
-
 // Modes and groups are no matter of every file system, nor of every user.
 bool is_refused(int error) { return error == EPERM || error == ENOSYS || error == EOPNOTSUPP; }
 
@@ -74,6 +62,18 @@ void remove_if_left_behind(int folder, const char* name) {
 }
 
 }  // namespace
+
+// .nacre-PROCESS-RANDOM, the second in hexadecimal.
+bool is_temporary_name(std::string_view name) {
+    if (!name.starts_with(prefix)) return false;
+    name.remove_prefix(prefix.size());
+    const std::size_t dash = name.find('-');
+    if (dash == 0 || dash == std::string_view::npos || name.size() != dash + 1 + random_digits) return false;
+    const auto all_of = [](std::string_view text, std::string_view allowed) {
+        return text.find_first_not_of(allowed) == std::string_view::npos;
+    };
+    return all_of(name.substr(0, dash), "0123456789") && all_of(name.substr(dash + 1), "0123456789abcdef");
+}
 
 void fail_to_write(const fs::path& file, int error) {
     throw UserError(file.string(), "write", "the file cannot be written", system_reason(error));

@@ -39,6 +39,9 @@ class TemporaryFile {
 // A name for something in `folder` that stays only while this process writes there.
 std::filesystem::path temporary_name(const std::filesystem::path& folder);
 
+// Whether a file of this name is one of these.
+bool is_temporary_name(std::string_view name);
+
 // Removes the temporary files there whose processes have ended. Of other files none, and none of a file
 // system that knows no locks.
 void sweep_temporary_files(const std::filesystem::path& folder);

@@ -289,7 +289,7 @@ TEST_CASE(
         fs::create_directories(unsaved / name);
         write_autosave({starter_design(), {}, {}}, unsaved / name / autosave_name);
         write_all(unsaved / name / "letter.txt", "mine");
-        write_all(unsaved / name / ".nacre-0123456789abcdef.nacre", "cut off");
+        write_all(unsaved / name / ".nacre-4711-0123456789abcdef", "cut off");
     }
     {
         Rig r({.bake_threads = 1, .folders = below(folder)});
