@@ -30,7 +30,9 @@ class AdaptiveAlbedo {
         for (std::size_t i = 0; i < rules_.size(); ++i) {
             const PlacedLobe& placed = distribution_.lobes()[i];
             if (rules_[i])
-                add(sum, rules_[i]->integrate([&](dvec3 h) { return integrand(h, area); }, tolerance_, stop),
+                add(sum,
+                    rules_[i]->integrate([&](dvec3 h) { return integrand(h, area); },
+                                         picture_part * tolerance_, stop),
                     1);
             for (const LobeSpan& span : placed.lobe->spans()) {
                 const LobeWalk walk(placed, span, integrand.k1);
@@ -47,6 +49,7 @@ class AdaptiveAlbedo {
     }
 
   private:
+    static constexpr double picture_part = 10;  // the tolerance of a lobe that holds a picture, in others'
     static constexpr int depth_azimuth = 20, depth_polar = 12;
 
     static void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
