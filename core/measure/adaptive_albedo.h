@@ -52,7 +52,8 @@ class AdaptiveAlbedo {
 
   private:
     static constexpr int depth_azimuth = 20, depth_polar = 12;
-    static constexpr double picture_tolerance = 5e-7;  // a picture's g is not known closer
+    // Of a lobe that holds a picture, whose g is not known closer: the tolerance in others', and the least.
+    static constexpr double picture_part = 10, picture_least = 5e-6;
 
     static void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];

