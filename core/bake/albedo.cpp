@@ -49,6 +49,17 @@ constexpr std::size_t orders = 6;
 // A rule of more points is not refined further.
 constexpr std::size_t most_points = 50000;
 
+// Eq. 14 wants a cut where k1 and k2 stand in one plane: for the kink at 180 degrees, which is t(180 degrees)
+// high, and for the peak of t at 0 where it is narrow. Where neither shows, all that is left to part at is
+// the layer beside the horizon, which every correlated visibility has.
+VisibilityKind parted_as(const Shading<double>& shading) {
+    constexpr double nothing = 1e-7, narrow = 0.2;
+    const double width = shading.surface.correlation, turned = pi / width;
+    const bool plane = width < narrow || std::exp(-0.5 * turned * turned) > nothing;
+    const VisibilityKind kind = shading.kinds.visibility;
+    return kind == VisibilityKind::correlated && !plane ? VisibilityKind::smith_correlated : kind;
+}
+
 // So many facets are summed at a time: they stay near the processor.
 constexpr std::size_t batch = 512;
 
@@ -215,7 +226,7 @@ AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1
     if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
     AlbedoValues sum{};
     for (const LobeSpan& span : placed.lobe->spans())
-        walk_span(LobeWalk(placed, span, k1), level, shading_.kinds.visibility,
+        walk_span(LobeWalk(placed, span, k1), level, parted_as(shading_),
                   [&](const WeightedDirections& facets) {
                       add(sum, sum_albedo(shading_, k1, g1, channels_, facets), 1);
                   });

@@ -51,7 +51,7 @@ using std::numbers::pi;
 
 namespace {
 // From this cosine of k1 up no layer is so thin that a rule of integration could miss it.
-constexpr double layer_below = 0.25;
+constexpr double layer_below = 0.1;
 }  // namespace
 
 LobeWalk::LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1)

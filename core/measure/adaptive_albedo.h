@@ -1,6 +1,7 @@
 // R(k) by adaptive integration in the lobes' own coordinates.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <stop_token>
@@ -60,9 +61,10 @@ class AdaptiveAlbedo {
     }
 
     template <class AreaOf>
-    static AlbedoValues over_picture(const PictureRule& rule, const FacetAlbedo& integrand,
-                                     const AreaOf& area, const std::stop_token& stop) {
-        return rule.integrate([&](dvec3 h) { return integrand(h, area); }, picture_tolerance, stop);
+    AlbedoValues over_picture(const PictureRule& rule, const FacetAlbedo& integrand, const AreaOf& area,
+                              const std::stop_token& stop) const {
+        return rule.integrate([&](dvec3 h) { return integrand(h, area); },
+                              std::fmax(picture_part * tolerance_, picture_least), stop);
     }
 
     // Nothing of a lobe that has a smooth form.
