@@ -120,24 +120,16 @@ TEST_CASE("next to n a correlated masking has a limit for every azimuth, which R
 }
 
 TEST_CASE("a rule is refined where the directions that chose it missed a narrow range") {
-    Design design = design_of(GgxLobe{1e-4, 100});
-    const auto tables = bake(design, {.albedo = true});
-    AlbedoRule rule(*tables->distribution, tables->shading, 1, 1e-4);
-    // Along the grooves R is far smaller than here.
-    dvec3 k{0, 0, 1};
-    double g = 0, most = 0;
-    for (int i = 0; i < 400; ++i) {
-        const dvec3 to = polar(0.001 + 0.01 * (i % 20), std::pow(10.0, -9 + 0.25 * (i / 20)));
-        const double area = tables->distribution->projected_area(to), value = rule(to, area)[0];
-        if (value <= most) continue;
-        most = value;
-        g = area;
-        k = to;
-    }
+    const Design design = design_of(GgxLobe{0.1, 1});
+    // So many nodes that g adds nothing.
+    const auto tables = bake(design, {.size = TableSize{257, 65, 9, 9}});
+    AlbedoRule rule(*tables->distribution, tables->shading, 1, 3e-4);
+    const dvec3 k = polar(1.28e-5, 0.0620168);
+    const double g = tables->distribution->projected_area(k);
     const double exact = Reference(design).albedo(k)[0];
-    REQUIRE(std::fabs(rule(k, g)[0] - exact) > 0.01);
+    REQUIRE(std::fabs(rule(k, g)[0] - exact) > 2 * 3e-4);
     CHECK(rule.refine_at({k}, 1e-4));
-    CHECK(std::fabs(rule(k, g)[0] - exact) < 1e-4);
+    CHECK(std::fabs(rule(k, g)[0] - exact) < 3e-4);
     CHECK_FALSE(rule.refine_at({k}, 1e-4));
 }
 
