@@ -19,14 +19,43 @@ TexelTents make_tents(int side, const std::optional<ModulationFactor>& factor) {
     return {side, [&](dvec2 at) { return (*factor)(at); }, factor->side()};
 }
 
+// How many texels on the disk hold p, were it the same in each of them.
+double texels_of(const Raster& raster) {
+    double sum = 0, squares = 0;
+    for (int row = 0; row < raster.height; ++row)
+        for (int column = 0; column < raster.width; ++column) {
+            if (!on_disk(raster.width, row, column)) continue;
+            const auto value = static_cast<double>(
+                raster.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.width) +
+                              static_cast<std::size_t>(column)]);
+            sum += value;
+            squares += value * value;
+        }
+    return squares > 0 ? sum * sum / squares : 0;
+}
+
+// Along each side of a texel, an odd number: as many as a wide p needs, and more where few texels hold all of
+// it, whose R and g are then sums over few facets.
+int tents_a_texel(const Raster& raster, Fineness fineness) {
+    constexpr int least_side = 128, largest_side = 1024;  // tents a side
+    constexpr double least_held = 4096;                   // tents that hold p
+    const int more = fineness == Fineness::bake ? 1 : 2;
+    int finer = 1;
+    while (raster.width * finer < more * least_side) finer += 2;
+    if (raster.width * (finer + 2) > largest_side) return finer;
+    const double held = texels_of(raster);
+    while (held > 0 && held * finer * finer < least_held && raster.width * (finer + 2) <= largest_side)
+        finer += 2;
+    return finer;
+}
+
 // p is bilinear between texel centres, so that it is the sum of tents; where there are few, each texel's is
 // the sum of finer ones, whose middles lie on the texels' and evenly between.
 class Painted final : public LobeModel {
   public:
     Painted(const PaintedLobe& lobe, const std::optional<Modulation>& modulation, Fineness fineness)
         : given_(lobe.image.raster), picture_(*given_), modulation_(modulation) {
-        while (given_->width * finer_ < (fineness == Fineness::bake ? least_side : 2 * least_side))
-            finer_ += 2;
+        finer_ = tents_a_texel(*given_, fineness);
         cells_ = given_->width * finer_;
         if (modulation) factor_.emplace(*modulation);
         tents_ = std::make_shared<const TexelTents>(make_tents(cells_, factor_));
@@ -70,6 +99,7 @@ class Painted final : public LobeModel {
     }
 
     const Raster& raster() const { return *given_; }
+    int finer() const { return finer_; }
     const std::optional<Modulation>& modulation() const { return modulation_; }
 
     double density(dvec3 h) const override {
@@ -116,7 +146,6 @@ class Painted final : public LobeModel {
     }
 
   private:
-    static constexpr int least_side = 128;     // tents a side
     static constexpr int trials_most = 10000;  // of places under a tent
 
     double middle_of(int index) const { return (2.0 * index + 1 - cells_) / cells_; }
@@ -225,6 +254,7 @@ std::optional<Repaint> repaint(const LobeModel& before, const Layer& after) {
     if (!lobe || !painted || lobe->modulation() != after.modulation) return {};
     const Raster& raster = *painted->image.raster;
     if (lobe->raster().width != raster.width) return {};
+    if (tents_a_texel(raster, Fineness::bake) != lobe->finer()) return {};
     const MomentPyramid::Part texels = difference(lobe->raster(), raster);
     auto repainted = std::make_shared<const Painted>(*lobe, painted->image.raster, texels);
     Repaint result{repainted, {}};

@@ -122,9 +122,11 @@ TEST_CASE("desktop's dialog: zenity is asked for surroundings, an object and a p
     const StandIn dialog;
     Rig r(dialog.program());
     const std::string here = "--filename=" + folder.path().string() + "/";
-    const Words pictures = {"--file-selection", "--title=Open surroundings",
-                            "--file-filter=Picture by latitude and longitude | *.exr *.EXR *.hdr *.HDR *.tif "
-                            "*.TIF *.tiff *.TIFF *.pfm *.PFM *.png *.PNG *.jpg *.JPG *.jpeg *.JPEG"};
+    const Words pictures = {
+        "--file-selection", "--title=Open surroundings",
+        "--file-filter=Picture by latitude and longitude | *.exr *.EXR *.hdr *.HDR *.tif *.TIF *.tiff *.TIFF "
+        "*.pfm *.PFM *.ppm *.PPM *.png *.PNG *.jpg *.JPG *.jpeg *.JPEG *.webp *.WEBP *.tga *.TGA *.bmp *.BMP "
+        "*.psd *.PSD *.dds *.DDS *.jp2 *.JP2 *.j2k *.J2K *.heic *.HEIC *.heif *.HEIF *.avif *.AVIF"};
     const Words objects = {"--file-selection", "--title=Open object",
                            "--file-filter=Wavefront OBJ | *.obj *.OBJ"};
     const auto plots = [](const std::string& start) {
@@ -169,7 +171,8 @@ TEST_CASE("desktop's dialog: kdialog is asked for surroundings, an object and a 
     r.play("click \"Plot masking\"\nwait");
     ask(r, dialog, surroundings, folder / "sky.exr");
     CHECK(dialog.arguments() == Words{"--title", "Open surroundings", "--getopenfilename", "./",
-                                      "*.exr *.hdr *.tif *.tiff *.pfm *.png *.jpg *.jpeg"});
+                                      "*.exr *.hdr *.tif *.tiff *.pfm *.ppm *.png *.jpg *.jpeg *.webp *.tga "
+                                      "*.bmp *.psd *.dds *.jp2 *.j2k *.heic *.heif *.avif"});
     CHECK(r.scene().environment.picture);
     ask(r, dialog, object, folder / "Mine.OBJ");
     CHECK(dialog.arguments() == Words{"--title", "Open object", "--getopenfilename", "./", "*.obj"});

@@ -1,7 +1,10 @@
 # Fuzz targets (libFuzzer): one program a reader, one a picture format. clang, with core instrumented as the
 # preset asan has it.
 find_package(nlohmann_json REQUIRED)
-find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(WebP REQUIRED IMPORTED_TARGET libwebp libwebpdemux)
 find_path(NACRE_IMGUI_INCLUDE imgui.h PATH_SUFFIXES imgui REQUIRED)
 find_library(NACRE_IMGUI_LIBRARY imgui REQUIRED)
 find_library(NACRE_STB_LIBRARY stb REQUIRED)
@@ -38,7 +41,8 @@ endforeach()
 file(GLOB picture_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/core/pictures/*.cpp)
 add_library(nacre_fuzz_pictures OBJECT ${picture_sources})
 target_include_directories(nacre_fuzz_pictures PUBLIC ${CMAKE_SOURCE_DIR})
-target_link_libraries(nacre_fuzz_pictures PUBLIC nacre_options fmt::fmt OpenImageIO::OpenImageIO PkgConfig::WebP)
+target_link_libraries(nacre_fuzz_pictures PUBLIC nacre_options fmt::fmt OpenImageIO::OpenImageIO PkgConfig::WebP
+    ZLIB::ZLIB)
 foreach(format png jpeg openexr tiff hdr pnm webp targa bmp psd dds jpeg2000 heif)
     nacre_fuzz_target(${format} fuzz/fuzz_picture.cpp)
     target_compile_definitions(nacre-fuzz-${format} PRIVATE NACRE_FUZZ_FORMAT="${format}")
