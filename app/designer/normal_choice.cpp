@@ -2,7 +2,8 @@
 
 #include <imgui.h>
 
-#include "core/design/error.h"
+#include <exception>
+
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -36,12 +37,14 @@ void NormalChoice::look_at(const std::filesystem::path& file) {
     file_ = file;
     picture_.reset();
     note_.clear();
+    // What is wrong is told when the picture is used: it may not be used as normals at all.
     try {
         picture_ = load_colours(file, &picture_notes_);
-    } catch (const UserError&) {
+        look_ = look_at_normal_map(*picture_);
+    } catch (const std::exception&) {
+        picture_.reset();
         return;
     }
-    look_ = look_at_normal_map(*picture_);
     reading_ = look_.reading;
     reading_.green_down = green_down_;
     if (const auto before = chosen_.find(file); before != chosen_.end()) reading_ = before->second;
