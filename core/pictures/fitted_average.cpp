@@ -23,9 +23,7 @@ std::vector<FittedAverage::Share> FittedAverage::shares(int from, int to) {
 }
 
 FittedAverage::FittedAverage(glm::ivec2 from, glm::ivec2 to)
-    : from_(from),
-      to_(to),
-      across_(shares(from.x, to.x)),
+    : across_(shares(from.x, to.x)),
       down_(shares(from.y, to.y)),
       sums_(static_cast<std::size_t>(to.x) * static_cast<std::size_t>(to.y)),
       row_(static_cast<std::size_t>(to.x)) {}

@@ -22,7 +22,6 @@ class FittedAverage {
     };
     static std::vector<Share> shares(int from, int to);
 
-    glm::ivec2 from_, to_;
     std::vector<Share> across_, down_;  // of a pixel, the shares that it gives to the new ones
     std::vector<glm::dvec3> sums_, row_;
 };

@@ -169,10 +169,11 @@ TEST_CASE("damaged picture: rows of nothing but a claim take no memory") {
          std::string("\xFF\x4F\xFF\x51\0\x2F\0\0", 8) + big(16384) + big(8192) + std::string(24, '\0')},
         {"claim.tga", std::string("\0\0\x0A\0\0\0\0\0\0\0\0\0\0\x40\0\x20\x18\0", 18)}};
     const long before = resident_most();
-    for (const auto& [name, bytes] : claims) {
-        CAPTURE(name);
-        write_all(folder / name, bytes);
-        CHECK(!user_error_of([&] { load_lat_long(folder / name); }).empty());
+    for (const auto& claim : claims) {
+        CAPTURE(claim.first);
+        const std::filesystem::path file = folder / claim.first;
+        write_all(file, claim.second);
+        CHECK(!user_error_of([&] { load_lat_long(file); }).empty());
     }
     CHECK(resident_most() - before < 300 * 1024);
 }
