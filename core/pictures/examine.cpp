@@ -85,12 +85,6 @@ std::string format_of(const FileBytes& file) {
         "no PNG, JPEG, EXR, TIFF, HDR, PNM, WebP, TGA, BMP, PSD, DDS, JPEG 2000 or HEIF picture");
 }
 
-void examine_targa(const FileBytes& file, Examined& found) {
-    const std::string header = file.read(0, 18);
-    found.size = glm::dvec2(little_endian(header, 12, 2), little_endian(header, 14, 2));
-    found.has_no_alpha = (little_endian(header, 17, 1) & 15) == 0;
-}
-
 // Four bytes a pixel are no alpha before the header has a mask for it.
 void examine_bmp(const FileBytes& file, Examined& found) {
     constexpr std::uint64_t with_alpha_mask = 56;

@@ -31,6 +31,7 @@ void examine_jpeg(const FileBytes& file, Examined& found);
 void examine_hdr(const FileBytes& file, Examined& found);
 void examine_exr(const FileBytes& file, Examined& found);
 void examine_psd(const FileBytes& file, Examined& found);
+void examine_targa(const FileBytes& file, Examined& found);
 void examine_webp(const FileBytes& file, Examined& found);
 void examine_heif(const FileBytes& file, Examined& found);
 void examine_jpeg2000(const FileBytes& file, Examined& found);

@@ -178,6 +178,25 @@ TEST_CASE("damaged picture: rows of nothing but a claim take no memory") {
     CHECK(resident_most() - before < 300 * 1024);
 }
 
+TEST_CASE("damaged picture: a TGA's pixels name no colour that its palette does not have") {
+    const TemporaryFolder folder;
+    const std::string palette("\1\2\3\4\5\6", 6), footer = std::string(8, '\0') + "TRUEVISION-XFILE." + '\0';
+    const auto refusal = [&](char first, char kind, const std::string& pixels) {
+        const std::string header = std::string("\0\1", 2) + kind + first + std::string("\0\2\0\x18", 4) +
+                                   std::string("\0\0\0\0\2\0\2\0\x08\0", 10);
+        const std::filesystem::path file = folder / "a.tga";
+        write_all(file, header + palette + pixels + footer);
+        return user_error_of([&] { load_colours(file); });
+    };
+    constexpr char plain = 1, packed = 9;
+    CHECK(refusal(0, plain, std::string("\0\1\1\0", 4)) == "");
+    CHECK(refusal(0, packed, std::string("\x81\1\1\0\1", 5)) == "");
+    CHECK(refusal(0, plain, std::string("\0\1\2\0", 4)).find("colour 2, its palette has 2") !=
+          std::string::npos);
+    CHECK(refusal(0, packed, std::string("\x83\xFF", 2)).find("colour 255") != std::string::npos);
+    CHECK(refusal(0x3C, plain, std::string("\0\1\1\0", 4)).find("begins at colour 60") != std::string::npos);
+}
+
 TEST_CASE("damaged picture: blocks of an EXR that hold fewer pixels than they stand for show no memory") {
     const TemporaryFolder folder;
     for (const char* compression : {"none", "rle", "zips", "zip", "piz", "pxr24", "b44", "dwaa", "dwab"}) {
