@@ -15,7 +15,10 @@ namespace {
 
 std::string number(std::uint64_t value, int length, bool big = false) {
     std::string bytes;
-    for (int i = 0; i < length; ++i) bytes += static_cast<char>(value >> (8 * (big ? length - 1 - i : i)));
+    for (int i = 0; i < length; ++i) {
+        const int shift = 8 * (big ? length - 1 - i : i);
+        bytes += shift < 64 ? static_cast<char>(value >> shift) : '\0';
+    }
     return bytes;
 }
 

@@ -39,7 +39,13 @@ double surprise_of(const Design& design) {
 
 TEST_SUITE_BEGIN("sampling density");
 
-TEST_CASE("samples are as dense as the pdf with every diffuse model") {
+#ifdef NACRE_SANITIZED  // ten times as slow
+constexpr bool slow = true;
+#else
+constexpr bool slow = false;
+#endif
+
+TEST_CASE("samples are as dense as the pdf with every diffuse model" * doctest::skip(slow)) {
     for (Diffuse diffuse : diffuse_models()) {
         CAPTURE(diffuse.index());
         for (Design design :
