@@ -9,7 +9,7 @@ vec3 shown_specular(Direction a, Direction b) {
 #if CLOSED_FORM
     return closed_form_specular(closed_form, a.k, b.k);
 #else
-    return specular(a, b) * specular_weight();
+    return specular(a, b) * surface.ks;
 #endif
 }
 
@@ -43,7 +43,7 @@ vec3 shown_albedo(Direction a) {
     vec3 first = alone ? vec3(0.0) : model;
     vec3 rest = alone ? model : diffuse_albedo(a);
 #else
-    vec3 first = a.R * specular_weight();
+    vec3 first = a.R * surface.ks;
     vec3 rest = diffuse_albedo(a);
 #endif
 #if SHOWS_SPECULAR

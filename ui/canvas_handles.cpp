@@ -158,14 +158,17 @@ std::string handle_text(const CanvasState& state, const Distribution& distributi
     const auto width = [](double value) {
         return std::isinf(value) ? "\u221e" : fmt::format("{:.3g}", value);
     };
-    const auto both = [&](double x, double y) {
-        return fmt::format("width {} \u00d7 {}", width(x), width(y));
-    };
-    if (const auto* l = std::get_if<GaussianLobe>(&layer.lobe)) return both(l->sigma_x, l->sigma_y);
-    if (const auto* l = std::get_if<GgxLobe>(&layer.lobe)) return both(l->alpha_x, l->alpha_y);
-    if (const auto* l = std::get_if<BeckmannLobe>(&layer.lobe)) return both(l->alpha_x, l->alpha_y);
-    if (const auto* l = std::get_if<InverseGaussianLobe>(&layer.lobe)) return "width " + width(l->sigma);
-    return {};
+    return std::visit(
+        [&]<class T>(const T& lobe) -> std::string {
+            constexpr WidthMembers<T> widths = T::widths;
+            if constexpr (widths.x == nullptr)
+                return {};
+            else if constexpr (widths.x == widths.y)
+                return "width " + width(lobe.*widths.x);
+            else
+                return fmt::format("width {} \u00d7 {}", width(lobe.*widths.x), width(lobe.*widths.y));
+        },
+        layer.lobe);
 }
 
 }  // namespace nacre::ui

@@ -12,7 +12,6 @@
 #include "ui/escape.h"
 #include "ui/item_map.h"
 #include "ui/list_row.h"
-#include "ui/lobe_kinds.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -66,12 +65,16 @@ void solo_button(LayersView& view, std::size_t index) {
     tooltip_for_item("Show this layer alone. The design stays as it is.");
 }
 
+const char* title_of(const Layer& layer) {
+    return layer.name.empty() ? kind_label(layer.lobe) : layer.name.c_str();
+}
+
 // The name as a field, until Enter, Escape or a click elsewhere.
 bool name_field(LayersView& view, Layer& layer, std::size_t index, float breadth) {
     LayersView::Rename& rename = *view.rename;
     if (!rename.begun) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(breadth);
-    const bool changed = ImGui::InputTextWithHint("##name", lobe_names()[layer.lobe.index()], &layer.name,
+    const bool changed = ImGui::InputTextWithHint("##name", kind_label(layer.lobe), &layer.name,
                                                   ImGuiInputTextFlags_AutoSelectAll);
     note_item(name_of(index) + " name");
     const bool elsewhere = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsItemHovered();
@@ -132,7 +135,7 @@ bool layer_line(LayersView& view, Layers& layers, std::size_t index, double tota
     } else {
         const LayerAction action =
             name_row(view, index, layers.size(),
-                     {.text = layer_title(layer),
+                     {.text = title_of(layer),
                       .at_right = share_text(layer, total),
                       .chosen = view.chosen == index,
                       .dimmed = !layer.enabled || (view.carried && view.chosen == index),
@@ -164,11 +167,10 @@ void draw_carried(const Layer& layer, ImVec2 corner, std::size_t slot) {
     list.AddCircleFilled({corner.x, y}, 3.5f * scale, ink);
     const ImVec2 mouse = ImGui::GetIO().MousePos, padding = ImGui::GetStyle().FramePadding;
     const ImVec2 low(mouse.x + 12 * scale, mouse.y + 4 * scale);
-    const ImVec2 extent = ImGui::CalcTextSize(layer_title(layer));
+    const ImVec2 extent = ImGui::CalcTextSize(title_of(layer));
     list.AddRectFilled(low, {low.x + extent.x + 2 * padding.x, low.y + extent.y + 2 * padding.y},
                        ImGui::GetColorU32(palette::accent_dim), ImGui::GetStyle().FrameRounding);
-    list.AddText({low.x + padding.x, low.y + padding.y}, ImGui::GetColorU32(palette::text),
-                 layer_title(layer));
+    list.AddText({low.x + padding.x, low.y + padding.y}, ImGui::GetColorU32(palette::text), title_of(layer));
 }
 
 // The chosen layer is held by its line. Escape lets it go where it was.

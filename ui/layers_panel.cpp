@@ -8,7 +8,6 @@
 
 #include "ui/item_map.h"
 #include "ui/layer_list.h"
-#include "ui/lobe_kinds.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -21,13 +20,13 @@ bool add_button(LayersView& view, Layers& layers) {
     const bool room = layers.size() < limits::layers_max;
     if (button("+ Add##Add layer", "Add a layer of any kind.", room)) ImGui::OpenPopup("kinds");
     if (!ImGui::BeginPopup("kinds")) return false;
-    for (std::size_t kind = 0; kind < lobe_names().size(); ++kind) {
-        const bool pressed = ImGui::MenuItem(lobe_names()[kind]);
-        note_item(std::string("Add ") + lobe_names()[kind]);
-        tooltip_for_item(lobe_explanation(kind));
+    for (std::size_t kind = 0; kind < KindSet<Lobe>::count; ++kind) {
+        const bool pressed = ImGui::MenuItem(KindSet<Lobe>::labels[kind]);
+        note_item(std::string("Add ") + KindSet<Lobe>::labels[kind]);
+        tooltip_for_item(KindSet<Lobe>::explanations[kind]);
         if (!pressed) continue;
         Layer layer;
-        layer.lobe = default_lobe(kind);
+        layer.lobe = lobe_of_widths(kind);
         layers.push_back(std::move(layer));
         view.chosen = layers.size() - 1;
         changed = true;

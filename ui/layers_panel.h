@@ -35,7 +35,4 @@ bool layers_panel(LayersView& view, Distribution& distribution);
 // The parameters of one layer.
 bool layer_editor(Layer& layer, CurveView& curve);
 
-// "in the design, 256 x 256", or the file's name in place of the first part.
-std::string picture_text(const Picture& picture);
-
 }  // namespace nacre::ui

@@ -62,15 +62,16 @@ bool slider(const SliderSpec& spec, double& value) {
     return value != before;
 }
 
-bool slider(const SliderSpec& spec, glm::dvec3& rgb) {
+bool slider(SliderSpec spec, glm::dvec3& rgb, glm::dvec3 reset) {
     static constexpr const char* channels[] = {"red", "green", "blue"};
     const glm::dvec3 before = rgb;
-    if (row_label(spec.label, spec.tooltip)) rgb = glm::dvec3(spec.reset);
+    if (row_label(spec.label, spec.tooltip)) rgb = reset;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
     for (int i = 0; i < 3; ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(width);
+        spec.reset = reset[i];
         slider_field(spec, std::string(item_name(spec.label)) + " " + channels[i], rgb[i]);
     }
     return rgb != before;
@@ -103,10 +104,20 @@ bool slider_or_infinity(const SliderSpec& spec, double& value) {
     return value != before;
 }
 
-bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip_text) {
+bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip_text,
+           std::span<const char* const> explanations) {
     row_label(label, tooltip_text);
     const int before = index;
-    ImGui::Combo(hidden(label).c_str(), &index, names.data(), static_cast<int>(names.size()));
+    if (ImGui::BeginCombo(hidden(label).c_str(), names[static_cast<std::size_t>(index)])) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool chosen = index == static_cast<int>(i);
+            if (ImGui::Selectable(names[i], chosen)) index = static_cast<int>(i);
+            if (chosen) ImGui::SetItemDefaultFocus();
+            note_item(std::string(item_name(label)) + " " + names[i]);
+            if (i < explanations.size()) tooltip_for_item(explanations[i]);
+        }
+        ImGui::EndCombo();
+    }
     note_item(label);
     tooltip_for_item(tooltip_text);
     return index != before;

@@ -25,12 +25,14 @@ struct SliderSpec {
 
 // Each returns whether the value changed.
 bool slider(const SliderSpec& spec, double& value);
-bool slider(const SliderSpec& spec, glm::dvec3& rgb);
+bool slider(SliderSpec spec, glm::dvec3& rgb, glm::dvec3 reset);  // `reset` in the place of spec.reset
 // A slider with a box behind it for an infinite value; unticking brings `spec.reset`.
 bool slider_or_infinity(const SliderSpec& spec, double& value);
 bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char* tooltip = nullptr);
 bool checkbox(const char* label, bool& value, const char* tooltip = nullptr);
-bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip = nullptr);
+// One of a list. Each entry is named "LABEL ENTRY" for scripts; `explanations` are the entries' own tooltips.
+bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip = nullptr,
+           std::span<const char* const> explanations = {});
 bool text_field(const char* label, std::string& text, const char* hint = "", const char* tooltip = nullptr);
 
 // Free text of several lines over the whole breadth: wrapped to read, a click edits it.

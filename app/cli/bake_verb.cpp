@@ -66,9 +66,7 @@ int bake_to_folder(const BakeVerbOptions& options, Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_bake(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<BakeVerbOptions>();
     command.option("DESIGN", options->design, "a .nacre file; - is standard input").required();
     add_folder_option(command, options->folder, "the folder for the tables, made when it is not there");
@@ -82,5 +80,9 @@ void declare_bake(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return bake_to_folder(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb bake_verb{"bake", "bake a design and write its tables with their manifest", declare};
 
 }  // namespace nacre::cli

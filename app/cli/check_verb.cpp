@@ -72,9 +72,7 @@ int check(const CheckOptions& options, const Interrupt& interrupt) {
     return report.passed() ? 0 : 1;
 }
 
-}  // namespace
-
-void declare_check(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<CheckOptions>();
     const auto design = command.option("DESIGN", options->design, "a .nacre file; - is standard input");
     command.flag("--json", options->json, "the figures as JSON");
@@ -94,5 +92,11 @@ void declare_check(Command& command, Action& action) {
         };
     });
 }
+
+}  // namespace
+
+const Verb check_verb{
+    "check", "the physics of a design and the errors that its bake claims; exit code 1 when a check fails",
+    declare};
 
 }  // namespace nacre::cli

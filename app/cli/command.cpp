@@ -85,11 +85,7 @@ Option Command::option_read_by(const std::function<bool(const std::string&)>& re
 
 void Command::footer(const std::string& text) { app_.footer(text); }
 
-void Command::ignore_further_words() { app_.allow_extras(); }
-
 void Command::when_chosen(const std::function<void()>& action) { app_.callback(action); }
-
-std::string Command::name() const { return app_.get_name(); }
 
 void throw_missing(const std::string& what) { throw CLI::RequiredError(what); }
 

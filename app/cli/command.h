@@ -55,9 +55,7 @@ class Command {
                           const std::string& shown, const std::string& allowed, const std::string& about);
 
     void footer(const std::string& text);
-    void ignore_further_words();
     void when_chosen(const std::function<void()>& action);
-    std::string name() const;
 
   private:
     CLI::App& app_;

@@ -22,18 +22,9 @@ struct EvalOptions {
     BakeOptions bake = {};
 };
 
-// Of the contract's, what this version has not.
-bool unarrived(const std::string& name) { return name == "multibounce" || name == "facets"; }
-
-std::string known_term(const std::string& name) {
-    if (term_by_name(name) || unarrived(name)) return {};
-    return fmt::format("must be {}, multibounce or facets", fmt::join(term_names(), ", "));
-}
-
 // The coupled terms read R, which costs most; without them none is needed.
 Design only_what_counts(Design design, Term term) {
-    if (term != Term::total && term != Term::diffuse &&
-        !std::holds_alternative<LambertianDiffuse>(design.diffuse))
+    if (term != Term::total && term != Term::diffuse && reads_albedo(design.diffuse))
         design.diffuse = NoDiffuse{};
     return design;
 }
@@ -76,7 +67,6 @@ void answer_exactly(const Design& design, const EvalOptions& options, Term term,
 
 int eval(const EvalOptions& options, const Interrupt& interrupt) {
     const auto term = term_by_name(options.term);
-    if (!term) throw std::runtime_error("--term " + options.term + ": this term has not arrived yet");
     const Design design = only_what_counts(load_design(options.design), *term);
     if (options.exact) {
         answer_exactly(design, options, *term, interrupt);
@@ -86,15 +76,13 @@ int eval(const EvalOptions& options, const Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_eval(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<EvalOptions>();
     command.option("DESIGN", options->design, "a .nacre file")
         .required()
         .check(no_stream("must be a file, since standard input brings the directions"));
     command.option("--term", options->term, fmt::format("{} (default total)", fmt::join(term_names(), ", ")))
-        .check(known_term);
+        .one_of(term_names());
     command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
     add_tolerance_option(command, options->bake);
     command.footer(
@@ -104,5 +92,9 @@ void declare_eval(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return eval(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb eval_verb{"eval", "the BRDF of pairs of directions read from standard input", declare};
 
 }  // namespace nacre::cli

@@ -1,15 +1,13 @@
 #include <fmt/core.h>
 
-#include <stdexcept>
-
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/output_option.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
-#include "core/exchange/export_format.h"
 #include "core/exchange/output_guard.h"
+#include "core/formats/export_format.h"
 
 namespace nacre::cli {
 namespace {
@@ -26,9 +24,15 @@ struct ExportOptions {
 
 std::string list_of_formats() {
     std::string text;
-    for (const ExportFormat& format : export_formats())
-        text += fmt::format("{:<6} {}\n", format.name, format.about);
+    for (const ExportFormat* format : export_formats())
+        text += fmt::format("{:<6} {}\n", format->name, format->about);
     return text;
+}
+
+std::vector<std::string> format_names() {
+    std::vector<std::string> names;
+    for (const ExportFormat* format : export_formats()) names.emplace_back(format->name);
+    return names;
 }
 
 int export_design(const ExportOptions& options, Interrupt& interrupt) {
@@ -37,9 +41,6 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
         return 0;
     }
     const ExportFormat* format = export_format(options.format);
-    if (format == nullptr)
-        throw std::runtime_error("export --to " + options.format +
-                                 ": this format has not arrived yet; see export --list");
     const Design design = read_design(options.design);
     const bool to_stream = options.output == stream_name;
     check_outputs(to_stream ? std::vector<fs::path>{"/dev/stdout"} : format->files(design, options.output),
@@ -57,13 +58,11 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_export(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<ExportOptions>();
     const auto list = command.flag("--list", options->list, "the formats there are");
     const auto design = command.option("DESIGN", options->design, "a .nacre file; - is standard input");
-    const auto format = command.option("--to", options->format, "a format of --list");
+    const auto format = command.option("--to", options->format, "a format of --list").one_of(format_names());
     const auto output = command.option("-o,--output", options->output,
                                        "the file or folder to write; - is standard output, for a file");
     output.check(not_empty);
@@ -86,5 +85,9 @@ void declare_export(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return export_design(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb export_verb{"export", "a design in another program's format", declare};
 
 }  // namespace nacre::cli

@@ -164,9 +164,7 @@ int gallery(const GalleryOptions& options, Interrupt& interrupt) {
     return problems.empty() ? 0 : 1;
 }
 
-}  // namespace
-
-void declare_gallery(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<GalleryOptions>();
     command.option("DIR", options->designs, "a folder of .nacre files")
         .required()
@@ -178,5 +176,9 @@ void declare_gallery(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return gallery(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb gallery_verb{"gallery", "every design of a folder rendered, with a contact sheet", declare};
 
 }  // namespace nacre::cli

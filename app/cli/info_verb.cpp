@@ -8,7 +8,6 @@
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
-#include "core/design/design_names.h"
 #include "core/exchange/error_json.h"
 #include "core/exchange/table_files.h"
 
@@ -33,7 +32,7 @@ std::vector<LayerInfo> layers_of(const Design& design) {
     for (const Layer& layer : design.distribution.layers) whole += layer.enabled ? layer.weight : 0;
     std::vector<LayerInfo> infos;
     for (const Layer& layer : design.distribution.layers)
-        infos.push_back({one_line(layer.name), std::string(lobe_names[layer.lobe.index()]),
+        infos.push_back({one_line(layer.name), std::string(kind_name(layer.lobe)),
                          layer.enabled ? layer.weight / whole : 0, layer.modulation.has_value()});
     return infos;
 }
@@ -46,15 +45,15 @@ std::vector<std::string> shader_parts(const Design& design, const Tables& tables
     };
     for (const Layer& layer : design.distribution.layers) {
         if (!layer.enabled || layer.weight <= 0) continue;
-        add(fmt::format("lobe {}", lobe_names[layer.lobe.index()]));
+        add(fmt::format("lobe {}", kind_name(layer.lobe)));
         if (layer.modulation) add("modulation by a picture");
     }
-    add(fmt::format("shadowing {}{}", shadowing_names[static_cast<std::size_t>(design.shadowing.model)],
+    add(fmt::format("shadowing {}{}", kind_name(design.shadowing.model),
                     design.shadowing.clamp ? ", clamped" : ""));
     if (!std::holds_alternative<NoFresnel>(design.fresnel))
-        add(fmt::format("fresnel {}", fresnel_names[design.fresnel.index()]));
+        add(fmt::format("fresnel {}", kind_name(design.fresnel)));
     if (!std::holds_alternative<NoDiffuse>(design.diffuse))
-        add(fmt::format("diffuse {}", diffuse_names[design.diffuse.index()]));
+        add(fmt::format("diffuse {}", kind_name(design.diffuse)));
     add("table of g");
     if (tables.plan.albedo) add("tables of R");
     return parts;
@@ -157,9 +156,7 @@ int info(const InfoOptions& options, const Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_info(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<InfoOptions>();
     command.option("DESIGN", options->design, "a .nacre file; - is standard input").required();
     add_tolerance_option(command, options->bake);
@@ -168,5 +165,9 @@ void declare_info(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return info(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb info_verb{"info", "what a design is, what it needs and what it can do without", declare};
 
 }  // namespace nacre::cli

@@ -55,9 +55,9 @@ void declare_all(CLI::App& app, cli::Action& action) {
     app.footer(
         "nacre-cli VERB --help tells a verb's own options. Exit codes: 0 done, 1 it could not be done or a\n"
         "check failed, 2 wrong usage. Angles in degrees, theta from the normal, phi from the tangent.");
-    for (const cli::Verb& verb : cli::verbs()) {
-        cli::Command command(*app.add_subcommand(verb.name, verb.about));
-        verb.declare(command, action);
+    for (const cli::Verb* verb : cli::verbs()) {
+        cli::Command command(*app.add_subcommand(verb->name, verb->about));
+        verb->declare(command, action);
     }
 }
 
@@ -83,7 +83,7 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, const char* con
 
 bool is_verb(std::string_view name) {
     const auto& verbs = cli::verbs();
-    return std::any_of(verbs.begin(), verbs.end(), [&](const cli::Verb& verb) { return verb.name == name; });
+    return std::any_of(verbs.begin(), verbs.end(), [&](const cli::Verb* verb) { return verb->name == name; });
 }
 
 }  // namespace

@@ -44,9 +44,7 @@ int plot(PlotOptions options, Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_plot(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<PlotOptions>();
     command.option("DESIGN", options->design, "a .nacre file; - is standard input").required();
     add_output_option(command, options->output, {"svg", "csv"}, "a .svg or .csv file");
@@ -78,5 +76,9 @@ void declare_plot(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return plot(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb plot_verb{"plot", "R, P, p, F, the lobe or the slice of a design, as SVG or CSV", declare};
 
 }  // namespace nacre::cli

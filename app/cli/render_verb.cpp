@@ -65,9 +65,7 @@ int render(const RenderOptions& options, Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_render(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<RenderOptions>();
     command.option("DESIGN", options->design, "a .nacre file; - is standard input").required();
     add_output_option(command, options->output, {"png", "exr"},
@@ -80,5 +78,9 @@ void declare_render(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return render(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb render_verb{"render", "the design on a sphere, as a picture", declare};
 
 }  // namespace nacre::cli

@@ -101,9 +101,7 @@ int report(const ReportOptions& options, Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_report(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<ReportOptions>();
     command
         .option("DESIGN", options->designs,
@@ -122,5 +120,9 @@ void declare_report(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return report(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb report_verb{"report", "error against run time of each way of computing g and R", declare};
 
 }  // namespace nacre::cli

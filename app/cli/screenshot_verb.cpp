@@ -45,9 +45,7 @@ int take_screenshot(const ScreenshotVerbOptions& options, Interrupt& interrupt) 
     return 0;
 }
 
-}  // namespace
-
-void declare_screenshot(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<ScreenshotVerbOptions>();
     command.option("DESIGN", options->design, "a .nacre file; - is standard input; without it, a new design");
     add_output_option(command, options->output, {"png"}, "a .png file");
@@ -58,5 +56,9 @@ void declare_screenshot(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return take_screenshot(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb screenshot_verb{"screenshot", "the designer's window, as a picture", declare};
 
 }  // namespace nacre::cli

@@ -91,9 +91,7 @@ int tables(const TablesOptions& options, const Interrupt& interrupt) {
     return 0;
 }
 
-}  // namespace
-
-void declare_tables(Command& command, Action& action) {
+void declare(Command& command, Action& action) {
     const auto options = std::make_shared<TablesOptions>();
     command.option("DESIGN", options->design, "a .nacre file")
         .required()
@@ -109,5 +107,9 @@ void declare_tables(Command& command, Action& action) {
         action = [options](Interrupt& interrupt) { return tables(*options, interrupt); };
     });
 }
+
+}  // namespace
+
+const Verb tables_verb{"tables", "g, P, R0 and R1 of directions read from standard input", declare};
 
 }  // namespace nacre::cli

@@ -1,4 +1,4 @@
-// The verbs of nacre-cli: one file for each, one line in a list.
+// The verbs of nacre-cli: one file for each, NAME_verb.cpp, and its line in verb_list.inc.
 #pragma once
 
 #include <functional>
@@ -19,19 +19,10 @@ struct Verb {
     void (*declare)(Command& command, Action& action);
 };
 
-std::span<const Verb> verbs();
+std::span<const Verb* const> verbs();
 
-void declare_info(Command& command, Action& action);
-void declare_eval(Command& command, Action& action);
-void declare_tables(Command& command, Action& action);
-void declare_bake(Command& command, Action& action);
-void declare_render(Command& command, Action& action);
-void declare_plot(Command& command, Action& action);
-void declare_screenshot(Command& command, Action& action);
-void declare_check(Command& command, Action& action);
-void declare_report(Command& command, Action& action);
-void declare_export(Command& command, Action& action);
-void declare_gallery(Command& command, Action& action);
-void declare_unarrived(Command& command, Action& action);
+#define VERB(name) extern const Verb name##_verb;
+#include "app/cli/verb_list.inc"
+#undef VERB
 
 }  // namespace nacre::cli

@@ -13,14 +13,10 @@ constexpr double rest_seconds = 0.12;     // without a change until every pixel 
 constexpr double samples_moving = 45000;  // of p in one frame, about 2 ms
 
 // Whether a layer can hold facets below the horizon, as overhangs do.
-bool reaches_below(const Layer& layer) {
+bool layer_reaches_below(const Layer& layer) {
     if (!layer.enabled || layer.weight <= 0) return false;
     if (layer.tilt > 0) return true;
-    if (const auto* uniform = std::get_if<UniformLobe>(&layer.lobe))
-        return uniform->domain == UniformDomain::sphere;
-    if (const auto* curve = std::get_if<CurveLobe>(&layer.lobe))
-        return !curve->points.empty() && curve->points.back().first > 90;
-    return false;
+    return reaches_below(layer.lobe);
 }
 
 // Those of them that are worth an outer ring: a part in a hundred of the facets' area, seen from below.
@@ -33,7 +29,7 @@ void CanvasPane::show_below(const Distribution& distribution) {
     if (ImGui::IsAnyMouseDown()) return;
     const FacetDistribution* p = live_.of(distribution);
     const auto& layers = distribution.layers;
-    const bool below = p && std::any_of(layers.begin(), layers.end(), reaches_below) && shows_below(*p);
+    const bool below = p && std::any_of(layers.begin(), layers.end(), layer_reaches_below) && shows_below(*p);
     if (below != state.camera.below) state.camera = {.dome = state.camera.dome, .below = below};
 }
 

@@ -10,9 +10,9 @@
 
 #include "app/designer/folder.h"
 #include "core/design/error.h"
-#include "core/exchange/export_format.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/output_guard.h"
+#include "core/formats/export_format.h"
 
 namespace nacre {
 namespace {
@@ -40,7 +40,7 @@ const PictureFormat& picture_format(std::size_t chosen) { return pictures[chosen
 
 std::string extension_of(std::size_t chosen) {
     return is_picture(chosen) ? picture_format(chosen).extension
-                              : std::string(export_formats()[chosen].extension);
+                              : std::string(export_formats()[chosen]->extension);
 }
 
 // What writing there would replace, as a question; empty where nothing stands in the way.
@@ -55,9 +55,9 @@ std::string replaced(const fs::path& output) {
 }  // namespace
 
 ExportFlow::ExportFlow() {
-    for (const ExportFormat& format : export_formats())
+    for (const ExportFormat* format : export_formats())
         dialog_.formats.push_back(
-            {std::string(format.title), std::string(format.about), false, format.has_names});
+            {std::string(format->title), std::string(format->about), false, format->has_names});
     for (const PictureFormat& format : pictures)
         dialog_.formats.push_back({format.title, format.about, true, false});
 }
@@ -113,7 +113,7 @@ void ExportFlow::draw_question(const Document& document, PreviewPane& preview, c
 bool ExportFlow::may_write(const Design& design) {
     try {
         check_outputs(is_picture(dialog_.chosen) ? std::vector{output_}
-                                                 : export_formats()[dialog_.chosen].files(design, output_),
+                                                 : export_formats()[dialog_.chosen]->files(design, output_),
                       inputs_());
         return true;
     } catch (const std::exception&) {
@@ -146,7 +146,7 @@ void ExportFlow::start_work(const Document& document, PreviewPane& preview, cons
             });
         return;
     }
-    const ExportFormat* format = &export_formats()[dialog_.chosen];
+    const ExportFormat* format = export_formats()[dialog_.chosen];
     ExportSettings settings{.prefix = dialog_.prefix};
     settings.bake.tolerance = dialog_.tolerance;
     task_.start(

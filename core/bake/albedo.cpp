@@ -52,12 +52,12 @@ constexpr std::size_t most_points = 50000;
 // Eq. 14 wants a cut where k1 and k2 stand in one plane: for the kink at 180 degrees, which is t(180 degrees)
 // high, and for the peak of t at 0 where it is narrow. Where neither shows, all that is left to part at is
 // the layer beside the horizon, which every correlated visibility has.
-VisibilityKind parted_as(const Shading<double>& shading) {
+MaskingBends parted_as(const Shading<double>& shading) {
     constexpr double nothing = 1e-7, narrow = 0.2;
-    const double width = shading.surface.correlation, turned = pi / width;
+    const double width = shading.surface.masking_width, turned = pi / width;
     const bool plane = width < narrow || std::exp(-0.5 * turned * turned) > nothing;
-    const VisibilityKind kind = shading.kinds.visibility;
-    return kind == VisibilityKind::correlated && !plane ? VisibilityKind::smith_correlated : kind;
+    const MaskingBends bends = masking_bends(static_cast<std::size_t>(shading.kinds.masking));
+    return bends == MaskingBends::azimuth && !plane ? MaskingBends::horizon : bends;
 }
 
 // So many facets are summed at a time: they stay near the processor.
@@ -65,9 +65,9 @@ constexpr std::size_t batch = 512;
 
 // The rule's points over one hemisphere of a smooth lobe, as facets: visit(some of them) again and again.
 template <class Visit>
-void walk_span(const LobeWalk& walk, std::size_t level, VisibilityKind visibility, const Visit& visit) {
+void walk_span(const LobeWalk& walk, std::size_t level, MaskingBends bends, const Visit& visit) {
     const Order rule = order(level);
-    const std::vector<double> azimuths = walk.azimuth_cuts(visibility);
+    const std::vector<double> azimuths = walk.azimuth_cuts(bends);
     std::vector<double> cuts;
     WalkPoints points;
     WeightedDirections facets;
@@ -81,7 +81,7 @@ void walk_span(const LobeWalk& walk, std::size_t level, VisibilityKind visibilit
         for (std::size_t part = 0; part + 1 < azimuths.size(); ++part) {
             const double size = azimuths[part + 1] - azimuths[part];
             const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (azimuths[part] + size * a.x));
-            walk.cuts(ray, visibility, cuts);
+            walk.cuts(ray, bends, cuts);
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
                 const double chi = cuts[i], step = cuts[i + 1] - cuts[i];
                 if (!(step > 0)) continue;

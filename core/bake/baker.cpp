@@ -37,8 +37,8 @@ bool same_area(const Design& a, const Design& b) {
 
 // Everything that the tables of R depend on, given the same g.
 bool same_albedo(const Design& a, const Design& b) {
-    const bool linear = std::holds_alternative<SchlickFresnel>(a.fresnel) &&
-                        std::holds_alternative<SchlickFresnel>(b.fresnel);
+    const bool linear = fresnel_tables(a.fresnel) == FresnelTables::linear &&
+                        fresnel_tables(b.fresnel) == FresnelTables::linear;
     return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel);
 }
 

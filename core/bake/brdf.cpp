@@ -6,7 +6,7 @@ dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction
                 const Shading<double>::Direction& b, Term term) {
     switch (term) {
         case Term::specular:
-            return shading.specular(a, b) * shading.specular_weight();
+            return shading.specular(a, b) * shading.surface.ks;
         case Term::diffuse:
             return shading.diffuse(a, b);
         case Term::density:
@@ -32,7 +32,7 @@ dvec3 Brdf::evaluate(dvec3 k1, dvec3 k2, Term term) const {
 }
 
 double Brdf::diffuse_probability() const {
-    return tables_->shading.kinds.diffuse == DiffuseKind::none ? 0 : 0.5;
+    return tables_->shading.kinds.diffuse == kind_index<Diffuse, NoDiffuse>() ? 0 : 0.5;
 }
 
 double Brdf::pdf(dvec3 k1, dvec3 k2) const {

@@ -83,25 +83,25 @@ LobeWalk::Ray LobeWalk::interval(double cosine, double sine, double least) const
     return ray;
 }
 
-std::vector<double> LobeWalk::azimuth_cuts(VisibilityKind visibility) const {
-    if (visibility != VisibilityKind::correlated) return {0, 1, 2};
+std::vector<double> LobeWalk::azimuth_cuts(MaskingBends bends) const {
+    if (bends != MaskingBends::azimuth) return {0, 1, 2};
     const double psi =
         std::atan2(-glm::dot(ray_direction(1, 0), across_), glm::dot(ray_direction(0, 1), across_));
     const double after = std::remainder(psi - start_, pi) / pi, plane = after < 0 ? after + 1 : after;
     return {0, plane, 1, 1 + plane, 2};
 }
 
-void LobeWalk::cuts(const Ray& ray, VisibilityKind visibility, std::vector<double>& all) const {
+void LobeWalk::cuts(const Ray& ray, MaskingBends bends, std::vector<double>& all) const {
     all.assign(1, ray.begin);
     auto add = [&](double at) {
         if (at > ray.begin && at < ray.end) all.push_back(at);
     };
     for (const double at : span_.breaks) add(at);
-    if (visibility == VisibilityKind::correlated) {
+    if (bends == MaskingBends::azimuth) {
         const double along = glm::dot(ray_direction(ray.cosine, ray.sine), across_);
         add(std::atan2(-glm::dot(axis_, across_) * std::copysign(1.0, along), std::fabs(along)));
     }
-    if (visibility != VisibilityKind::uncorrelated && k1_.z < layer_below)
+    if (bends != MaskingBends::none && k1_.z < layer_below)
         for (const double least : {1.0, 4.0}) {
             const Ray inner = interval(ray.cosine, ray.sine, least);
             if (inner.end <= inner.begin) continue;

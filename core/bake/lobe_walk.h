@@ -50,8 +50,8 @@ class LobeWalk {
     // ends are among them. Azimuths in half turns from start(), then angles on a ray: p's corners; under
     // eq. 14 the plane of k1 and n, where the angle between tangent projections turns round at 180 degrees;
     // with every correlated visibility and a grazing k1 the layer c2 < c1 beside the horizon.
-    std::vector<double> azimuth_cuts(VisibilityKind visibility) const;
-    void cuts(const Ray& ray, VisibilityKind visibility, std::vector<double>& all) const;
+    std::vector<double> azimuth_cuts(MaskingBends bends) const;
+    void cuts(const Ray& ray, MaskingBends bends, std::vector<double>& all) const;
 
   private:
     Ray interval(double cosine, double sine, double least) const;

@@ -1,29 +1,23 @@
 #include "core/bake/plan.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "core/bake/table_size.h"
-#include "core/model/surface.h"
 
 namespace nacre {
 namespace {
 
-template <class Kind>
-bool uses(const Design& design) {
-    return std::any_of(
-        design.distribution.layers.begin(), design.distribution.layers.end(), [](const Layer& layer) {
-            return layer.enabled && layer.weight > 0 && std::holds_alternative<Kind>(layer.lobe);
-        });
-}
-
-bool uses_modulation(const Design& design) {
+bool uses_picture(const Design& design) {
     return std::any_of(design.distribution.layers.begin(), design.distribution.layers.end(),
-                       [](const Layer& l) { return l.enabled && l.weight > 0 && l.modulation.has_value(); });
+                       [](const Layer& l) { return l.enabled && l.weight > 0 && holds_picture(l); });
 }
 
 void list_omissions(const Design& design, BakePlan& plan) {
-    auto leave_out = [&](Part part, const char* what, const char* why) {
-        plan.omissions.push_back({part, what, why});
+    auto leave_out = [&](Part part, const char* what, std::string why) {
+        plan.omissions.push_back({part, what, std::move(why)});
     };
     switch (plan.symmetry.symmetry) {
         case Symmetry::isotropic:
@@ -43,18 +37,13 @@ void list_omissions(const Design& design, BakePlan& plan) {
         leave_out(Part::fresnel_table, "Fresnel albedo table", "F = 1");
     if (plan.fresnel_tables == 1)
         leave_out(Part::fresnel_colours, "Fresnel albedo for each colour", "Schlick's R is linear in f0");
-    if (!uses<PaintedLobe>(design) && !uses_modulation(design))
-        leave_out(Part::pictures, "pictures", "no layer is painted or modulated");
-    const FresnelKind fresnel = kind_of(design.fresnel);
-    if (fresnel != FresnelKind::conductor)
-        leave_out(Part::conductor, "conductor arithmetic", "the Fresnel model does not need it");
-    if (fresnel == FresnelKind::none) leave_out(Part::fresnel, "Fresnel factor", "F = 1");
-    const VisibilityKind visibility = kind_of(design.shadowing.model);
-    if (visibility != VisibilityKind::correlated)
-        leave_out(Part::azimuth_correlation, "azimuth correlation t(phi)", "shadowing is not correlated");
-    if (visibility != VisibilityKind::smith_correlated)
-        leave_out(Part::height_correlation, "height correlation", "shadowing is not smith_correlated");
-    if (kind_of(design.diffuse) == DiffuseKind::none)
+    if (!uses_picture(design)) leave_out(Part::pictures, "pictures", "no layer is painted or modulated");
+    if (fresnel_tables(design.fresnel) == FresnelTables::none)
+        leave_out(Part::fresnel, "Fresnel factor", "F = 1");
+    for (std::size_t i = 0; i < KindSet<MaskingModel>::count; ++i)
+        if (const char* part = masking_part(i); part && i != design.shadowing.model.index())
+            leave_out(Part::masking, part, fmt::format("masking is {}", kind_name(design.shadowing.model)));
+    if (std::holds_alternative<NoDiffuse>(design.diffuse))
         leave_out(Part::diffuse, "diffuse term", "the design has none");
 }
 
@@ -65,17 +54,15 @@ BakePlan plan_bake(const Design& design, const PlanOptions& options) {
     plan.symmetry = find_symmetry(design.distribution);
     if (options.symmetry) plan.symmetry.symmetry = std::max(plan.symmetry.symmetry, *options.symmetry);
     plan.quality = options.quality;
-    const DiffuseKind diffuse = kind_of(design.diffuse);
-    plan.albedo = options.albedo || diffuse == DiffuseKind::coupled || diffuse == DiffuseKind::metal;
+    plan.albedo = options.albedo || reads_albedo(design.diffuse);
     if (plan.albedo) {
-        switch (kind_of(design.fresnel)) {
-            case FresnelKind::none:
+        switch (fresnel_tables(design.fresnel)) {
+            case FresnelTables::none:
                 break;
-            case FresnelKind::schlick:
+            case FresnelTables::linear:
                 plan.fresnel_tables = 1;
                 break;
-            case FresnelKind::dielectric:
-            case FresnelKind::conductor:
+            case FresnelTables::exact:
                 plan.fresnel_tables = 3;
                 break;
         }

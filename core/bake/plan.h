@@ -18,10 +18,8 @@ enum class Part {
     fresnel_table,
     fresnel_colours,  // a Fresnel table for each
     pictures,
-    conductor,
     fresnel,
-    azimuth_correlation,
-    height_correlation,
+    masking,  // of another model
     diffuse
 };
 

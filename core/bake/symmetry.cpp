@@ -10,14 +10,6 @@ namespace {
 
 bool same_angle(double a, double b, double period) { return std::fabs(std::remainder(a - b, period)) < 1e-9; }
 
-// Period of the lobe's shape under rotation about its own axis, degrees; 0 when it is round.
-double shape_period(const Lobe& lobe) {
-    if (const auto* l = std::get_if<GaussianLobe>(&lobe)) return l->sigma_x == l->sigma_y ? 0 : 180;
-    if (const auto* l = std::get_if<GgxLobe>(&lobe)) return l->alpha_x == l->alpha_y ? 0 : 180;
-    if (const auto* l = std::get_if<BeckmannLobe>(&lobe)) return l->alpha_x == l->alpha_y ? 0 : 180;
-    return std::holds_alternative<PaintedLobe>(lobe) ? 360 : 0;
-}
-
 bool picture_mirrors(const Raster& r, bool across_y) {
     for (int row = 0; row < r.height; ++row)
         for (int column = 0; column < r.width; ++column) {
@@ -43,16 +35,12 @@ PictureMirrors picture_mirrors(const Layer& layer) {
         mirrors.x = mirrors.x && picture_mirrors(*picture.raster, false);
         mirrors.y = mirrors.y && picture_mirrors(*picture.raster, true);
     };
-    if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe)) add(painted->image);
+    visit_pictures(layer.lobe, [&](const Picture& picture, std::string_view) { add(picture); });
     if (layer.modulation) add(layer.modulation->image);
     return mirrors;
 }
 
-bool holds_picture(const Layer& layer) {
-    return layer.modulation.has_value() || std::holds_alternative<PaintedLobe>(layer.lobe);
-}
-
-bool is_round(const Layer& layer) { return shape_period(layer.lobe) == 0 && !holds_picture(layer); }
+bool is_round(const Layer& layer) { return period_of(layer.lobe) == 0 && !holds_picture(layer); }
 
 // A layer that holds facets, and the mirrors of its pictures, which are looked for once.
 struct Part {
@@ -70,7 +58,7 @@ bool mirrored(const Part& part, const Layer& b, double axis) {
     if (!upright(a) && !same_angle(2 * axis - a.azimuth, b.azimuth, 360)) return false;
     if (is_round(a)) return true;
     const double wanted = 2 * axis - a.rotation;
-    if (!holds_picture(a)) return same_angle(wanted, b.rotation, shape_period(a.lobe));
+    if (!holds_picture(a)) return same_angle(wanted, b.rotation, period_of(a.lobe));
     return (part.mirrors.x && same_angle(wanted, b.rotation, 360)) ||
            (part.mirrors.y && same_angle(wanted + 180, b.rotation, 360));
 }

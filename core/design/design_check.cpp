@@ -11,21 +11,22 @@ namespace {
 
 bool counts(const Layer& layer) { return layer.enabled && layer.weight > 0; }
 
-bool is_black(const Picture& picture) {
-    const std::vector<float>& values = picture.raster->values;
-    return std::none_of(values.begin(), values.end(), [](float value) { return value > 0; });
-}
-
 bool is_whole_sphere(const Layer& layer) {
     const auto* const uniform = std::get_if<UniformLobe>(&layer.lobe);
     const bool modulated = layer.modulation && layer.modulation->strength > 0;
     return uniform && uniform->domain == UniformDomain::sphere && !modulated;
 }
 
+template <class Variant>
+void check_kind(const Variant& kind, std::string path, const std::string& file) {
+    const std::optional<KindFault> fault = kind_fault(kind);
+    if (!fault) return;
+    if (!fault->key.empty()) path += fmt::format(".{}", fault->key);
+    throw UserError(file, path, fault->problem, fault->found);
+}
+
 void check_layer(const Layer& layer, const std::string& path, const std::string& file) {
-    const auto* const painted = std::get_if<PaintedLobe>(&layer.lobe);
-    if (painted && is_black(painted->image))
-        throw UserError(file, path + ".image", "the picture needs a pixel above 0", "all black: no facets");
+    check_kind(layer.lobe, path, file);
     if (layer.modulation && layer.modulation->strength == 1 && is_black(layer.modulation->image))
         throw UserError(file, path + ".modulation.image", "at strength 1 the picture needs a pixel above 0",
                         "all black: no facets");
@@ -53,11 +54,9 @@ void check_layers(const std::vector<Layer>& layers, const std::string& file) {
 
 void check_design(const Design& design, const std::string& file) {
     check_layers(design.distribution.layers, file);
-    constexpr double rounding = 1e-9;
-    const auto* const diffuse = std::get_if<LambertianDiffuse>(&design.diffuse);
-    if (diffuse && diffuse->kd + diffuse->ks > 1 + rounding)
-        throw UserError(file, "diffuse", "kd + ks must not exceed 1, or energy is created",
-                        fmt::format("{} + {} = {}", diffuse->kd, diffuse->ks, diffuse->kd + diffuse->ks));
+    check_kind(design.shadowing.model, "shadowing", file);
+    check_kind(design.fresnel, "fresnel", file);
+    check_kind(design.diffuse, "diffuse", file);
 }
 
 }  // namespace nacre

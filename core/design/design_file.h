@@ -1,4 +1,4 @@
-// The design file, NAME.nacre: JSON that holds all of the work. docs/ describes its keys.
+// The design file, NAME.nacre: JSON that holds all of the work. docs/file-format.md describes its keys.
 #pragma once
 
 #include <filesystem>

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -19,8 +20,9 @@ void for_each_picture(AnyDesign& design, const Visit& visit) {
     auto& layers = design.distribution.layers;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const std::string where = fmt::format("distribution.layers[{}]", i);
-        if (auto* const painted = std::get_if<PaintedLobe>(&layers[i].lobe))
-            visit(painted->image, where + ".image");
+        visit_pictures(layers[i].lobe, [&](auto& picture, std::string_view key) {
+            visit(picture, fmt::format("{}.{}", where, key));
+        });
         if (layers[i].modulation) visit(layers[i].modulation->image, where + ".modulation.image");
     }
 }

@@ -5,10 +5,10 @@
 
 #include "core/design/design_check.h"
 #include "core/design/design_file.h"
-#include "core/design/design_names.h"
 #include "core/design/error.h"
 #include "core/design/json_reader.h"
 #include "core/design/json_text.h"
+#include "core/design/kind_read.h"
 #include "core/design/layer_read.h"
 #include "core/exchange/input_file.h"
 
@@ -41,53 +41,22 @@ Distribution read_distribution(const JsonValue& json, const fs::path& base_dir) 
     return distribution;
 }
 
+// The object of a model that has no key besides its parameters; `subject` names it in messages.
+template <class Variant>
+Variant read_model(const JsonValue& json, std::string_view subject) {
+    ObjectReader reader(json);
+    const Variant model = read_kind<Variant>(reader, "model");
+    reader.finish(fmt::format("the {} model \"{}\"", subject, kind_name(model)));
+    return model;
+}
+
 Shadowing read_shadowing(const JsonValue& json) {
     ObjectReader reader(json);
     Shadowing shadowing;
-    const std::size_t model = reader.choice("model", shadowing_names, 0);
-    shadowing.model = static_cast<ShadowingModel>(model);
-    if (shadowing.model == ShadowingModel::correlated)
-        reader.number("width", shadowing.width, {limits::correlation_min, limits::correlation_max});
+    shadowing.model = read_kind<MaskingModel>(reader, "model");
     reader.flag("clamp", shadowing.clamp);
-    reader.finish(fmt::format("the shadowing model \"{}\"", shadowing_names[model]));
+    reader.finish(fmt::format("the shadowing model \"{}\"", kind_name(shadowing.model)));
     return shadowing;
-}
-
-Fresnel read_fresnel(const JsonValue& json) {
-    const Fresnel models[] = {SchlickFresnel{}, DielectricFresnel{}, ConductorFresnel{}, NoFresnel{}};
-    static_assert(std::size(models) == std::variant_size_v<Fresnel>);
-    ObjectReader reader(json);
-    const std::size_t model = reader.choice("model", fresnel_names, 0);
-    Fresnel fresnel = models[model];
-    if (auto* const schlick = std::get_if<SchlickFresnel>(&fresnel)) {
-        reader.colour("f0", schlick->f0, {0, 1});
-    } else if (auto* const dielectric = std::get_if<DielectricFresnel>(&fresnel)) {
-        reader.number("ior", dielectric->ior, {limits::ior_min, limits::ior_max});
-    } else if (auto* const conductor = std::get_if<ConductorFresnel>(&fresnel)) {
-        reader.colour("eta", conductor->eta, {limits::eta_min, limits::eta_max});
-        reader.colour("k", conductor->k, {0, limits::k_max});
-    }
-    reader.finish(fmt::format("the Fresnel model \"{}\"", fresnel_names[model]));
-    return fresnel;
-}
-
-Diffuse read_diffuse(const JsonValue& json) {
-    const Diffuse models[] = {NoDiffuse{}, LambertianDiffuse{}, CoupledDiffuse{}, MetalDiffuse{}};
-    static_assert(std::size(models) == std::variant_size_v<Diffuse>);
-    ObjectReader reader(json);
-    if (reader.has("model") && reader.at("model").is_text() && reader.at("model").text() == "facets")
-        reader.at("model").fail("facets with a BRDF of their own have not arrived yet");
-    const std::size_t model = reader.choice("model", diffuse_names, 0);
-    Diffuse diffuse = models[model];
-    if (auto* const lambertian = std::get_if<LambertianDiffuse>(&diffuse)) {
-        reader.number("kd", lambertian->kd, {0, 1});
-        reader.number("ks", lambertian->ks, {0, 1});
-        reader.colour("albedo", lambertian->albedo, {0, 1});
-    } else if (auto* const coupled = std::get_if<CoupledDiffuse>(&diffuse)) {
-        reader.colour("albedo", coupled->albedo, {0, 1});
-    }
-    reader.finish(fmt::format("the diffuse model \"{}\"", diffuse_names[model]));
-    return diffuse;
 }
 
 }  // namespace
@@ -102,8 +71,8 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
     reader.text("note", design.note);
     const bool has_distribution = reader.has("distribution");
     if (reader.has("shadowing")) design.shadowing = read_shadowing(reader.at("shadowing"));
-    if (reader.has("fresnel")) design.fresnel = read_fresnel(reader.at("fresnel"));
-    if (reader.has("diffuse")) design.diffuse = read_diffuse(reader.at("diffuse"));
+    if (reader.has("fresnel")) design.fresnel = read_model<Fresnel>(reader.at("fresnel"), "Fresnel");
+    if (reader.has("diffuse")) design.diffuse = read_model<Diffuse>(reader.at("diffuse"), "diffuse");
     reader.finish("a design");
     if (has_distribution)
         design.distribution = read_distribution(reader.at("distribution"), absolute_folder(base_dir));

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/design/design_file.h"
-#include "core/design/design_names.h"
 #include "core/design/error.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/input_file.h"
@@ -86,75 +85,77 @@ std::string picture_text(const Picture& picture, const std::string& where, const
     }
 }
 
-std::string alphas_text(double x, double y) {
-    return fmt::format(", \"alpha_x\": {}, \"alpha_y\": {}", number(x), number(y));
+std::string curve_text(const std::vector<std::pair<double, double>>& points) {
+    std::string text;
+    for (const auto& [theta, value] : points)
+        text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", number(theta), number(value));
+    return '[' + text + ']';
 }
 
-std::string curve_text(const CurveLobe& curve) {
-    std::string points;
-    for (const auto& [theta, value] : curve.points)
-        points += fmt::format("{}[{}, {}]", points.empty() ? "" : ", ", number(theta), number(value));
-    return fmt::format(", \"points\": [{}]", points);
+// The value of one parameter, as it stands in the file.
+template <class T>
+std::string value_text(const T& kind, const NumberParameter<T>& parameter) {
+    return number(kind.*parameter.member);
+}
+template <class T>
+std::string value_text(const T& kind, const ColourParameter<T>& parameter) {
+    return colour(kind.*parameter.member);
+}
+template <class T>
+std::string value_text(const T& kind, const TripleParameter<T>& parameter) {
+    return colour(kind.*parameter.member);
+}
+template <class T, class Enum, std::size_t count>
+std::string value_text(const T& kind, const ChoiceParameter<T, Enum, count>& parameter) {
+    return quoted(parameter.names.at(static_cast<std::size_t>(kind.*parameter.member)));
+}
+template <class T>
+std::string value_text(const T& kind, const CurveParameter<T>& parameter) {
+    return curve_text(kind.*parameter.member);
 }
 
-std::string lobe_text(const Lobe& lobe) {
-    if (const auto* const gaussian = std::get_if<GaussianLobe>(&lobe))
-        return fmt::format(", \"sigma_x\": {}, \"sigma_y\": {}", number(gaussian->sigma_x),
-                           number(gaussian->sigma_y));
-    if (const auto* const inverse = std::get_if<InverseGaussianLobe>(&lobe))
-        return fmt::format(", \"sigma\": {}", number(inverse->sigma));
-    if (const auto* const ggx = std::get_if<GgxLobe>(&lobe)) return alphas_text(ggx->alpha_x, ggx->alpha_y);
-    if (const auto* const beckmann = std::get_if<BeckmannLobe>(&lobe))
-        return alphas_text(beckmann->alpha_x, beckmann->alpha_y);
-    if (const auto* const uniform = std::get_if<UniformLobe>(&lobe))
-        return ", \"domain\": " + quoted(domain_names[static_cast<std::size_t>(uniform->domain)]);
-    if (const auto* const curve = std::get_if<CurveLobe>(&lobe)) return curve_text(*curve);
-    return {};
+// `, "key": value` of every parameter but pictures, which stand last in a layer.
+template <class Variant>
+std::string parameters_text(const Variant& value) {
+    std::string text;
+    const auto append = [&]<class T>(const T& kind) {
+        visit_parameters<T>([&]<class Parameter>(const Parameter& parameter) {
+            if constexpr (!std::is_same_v<Parameter, PictureParameter<T>>)
+                text += fmt::format(", \"{}\": {}", parameter.text.key, value_text(kind, parameter));
+        });
+    };
+    std::visit(append, value);
+    return text;
+}
+
+std::string lobe_pictures_text(const Lobe& lobe, const std::string& where, const Target& target) {
+    std::string text;
+    visit_pictures(lobe, [&](const Picture& picture, std::string_view key) {
+        const std::string at = fmt::format("{}.{}", where, key);
+        text += fmt::format(", \"{}\": {}", key, picture_text(picture, at, target));
+    });
+    return text;
+}
+
+template <class Variant>
+std::string model_text(const Variant& model) {
+    return "\"model\": " + quoted(kind_name(model)) + parameters_text(model);
 }
 
 std::string layer_text(const Layer& layer, const std::string& where, const Target& target) {
     std::string text;
     if (!layer.name.empty()) text += fmt::format("\"name\": {}, ", quoted(layer.name));
     if (!layer.enabled) text += "\"enabled\": false, ";
-    text += fmt::format("\"lobe\": {}, \"weight\": {}", quoted(lobe_names[layer.lobe.index()]),
-                        number(layer.weight));
-    text += lobe_text(layer.lobe);
+    text += fmt::format("\"lobe\": {}, \"weight\": {}", quoted(kind_name(layer.lobe)), number(layer.weight));
+    text += parameters_text(layer.lobe);
     text += fmt::format(", \"tilt\": {}, \"azimuth\": {}, \"rotation\": {}", number(layer.tilt),
                         number(layer.azimuth), number(layer.rotation));
-    if (const auto* const painted = std::get_if<PaintedLobe>(&layer.lobe))
-        text += ", \"image\": " + picture_text(painted->image, where + ".image", target);
+    text += lobe_pictures_text(layer.lobe, where, target);
     if (layer.modulation)
         text += fmt::format(", \"modulation\": {{\"strength\": {}, \"image\": {}}}",
                             number(layer.modulation->strength),
                             picture_text(layer.modulation->image, where + ".modulation.image", target));
     return text;
-}
-
-std::string shadowing_text(const Shadowing& shadowing) {
-    std::string text = "\"model\": " + quoted(shadowing_names[static_cast<std::size_t>(shadowing.model)]);
-    if (shadowing.model == ShadowingModel::correlated) text += ", \"width\": " + number(shadowing.width);
-    return text + ", \"clamp\": " + (shadowing.clamp ? "true" : "false");
-}
-
-std::string fresnel_text(const Fresnel& fresnel) {
-    const std::string model = "\"model\": " + quoted(fresnel_names[fresnel.index()]);
-    if (const auto* const schlick = std::get_if<SchlickFresnel>(&fresnel))
-        return model + ", \"f0\": " + colour(schlick->f0);
-    if (const auto* const dielectric = std::get_if<DielectricFresnel>(&fresnel))
-        return model + ", \"ior\": " + number(dielectric->ior);
-    if (const auto* const metal = std::get_if<ConductorFresnel>(&fresnel))
-        return model + ", \"eta\": " + colour(metal->eta) + ", \"k\": " + colour(metal->k);
-    return model;
-}
-
-std::string diffuse_text(const Diffuse& diffuse) {
-    const std::string model = "\"model\": " + quoted(diffuse_names[diffuse.index()]);
-    if (const auto* const lambertian = std::get_if<LambertianDiffuse>(&diffuse))
-        return fmt::format("{}, \"kd\": {}, \"ks\": {}, \"albedo\": {}", model, number(lambertian->kd),
-                           number(lambertian->ks), colour(lambertian->albedo));
-    if (const auto* const coupled = std::get_if<CoupledDiffuse>(&diffuse))
-        return model + ", \"albedo\": " + colour(coupled->albedo);
-    return model;
 }
 
 std::string design_text(const Design& design, const Target& target) {
@@ -172,9 +173,10 @@ std::string design_text(const Design& design, const Target& target) {
     text += "    ],\n";
     text +=
         fmt::format("    \"mean_cosine_scale\": {}\n  }},\n", number(design.distribution.mean_cosine_scale));
-    text += fmt::format("  \"shadowing\": {{{}}},\n", shadowing_text(design.shadowing));
-    text += fmt::format("  \"fresnel\": {{{}}},\n", fresnel_text(design.fresnel));
-    text += fmt::format("  \"diffuse\": {{{}}}\n}}\n", diffuse_text(design.diffuse));
+    text += fmt::format("  \"shadowing\": {{{}, \"clamp\": {}}},\n", model_text(design.shadowing.model),
+                        design.shadowing.clamp);
+    text += fmt::format("  \"fresnel\": {{{}}},\n", model_text(design.fresnel));
+    text += fmt::format("  \"diffuse\": {{{}}}\n}}\n", model_text(design.diffuse));
     return text;
 }
 

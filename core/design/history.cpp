@@ -3,6 +3,8 @@
 #include <set>
 #include <utility>
 
+#include "core/design/design_pictures.h"
+
 namespace nacre {
 
 History::History(Design design) { states_.push_back(std::move(design)); }
@@ -20,11 +22,8 @@ void History::commit(const Design& design) {
 std::size_t History::pixels() const {
     std::set<std::shared_ptr<const Raster>> rasters;
     for (const Design& state : states_)
-        for (const Layer& layer : state.distribution.layers) {
-            if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
-                rasters.insert(painted->image.raster);
-            if (layer.modulation) rasters.insert(layer.modulation->image.raster);
-        }
+        for_each_picture(state,
+                         [&](const Picture& picture, const std::string&) { rasters.insert(picture.raster); });
     std::size_t sum = 0;
     for (const auto& raster : rasters)
         if (raster) sum += raster->values.size();

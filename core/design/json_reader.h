@@ -9,12 +9,9 @@
 #include <string_view>
 #include <vector>
 
-namespace nacre {
+#include "core/model/kinds/parameter.h"
 
-struct Range {
-    double low;
-    double high;
-};
+namespace nacre {
 
 // One value of the tree with the place it stands at.
 class JsonValue {

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
+#include "core/design/design_pictures.h"
+
 namespace nacre {
 
 std::vector<std::filesystem::path> picture_files(const Design& design) {
     std::vector<std::filesystem::path> files;
-    const auto add = [&](const Picture& picture) {
+    const auto add = [&](const Picture& picture, const std::string&) {
         if (!picture.file.empty() && std::find(files.begin(), files.end(), picture.file) == files.end())
             files.push_back(picture.file);
     };
-    for (const Layer& layer : design.distribution.layers) {
-        if (const auto* const painted = std::get_if<PaintedLobe>(&layer.lobe)) add(painted->image);
-        if (layer.modulation) add(layer.modulation->image);
-    }
+    for_each_picture(design, add);
     return files;
 }
 

@@ -109,13 +109,13 @@ std::string summary(const std::vector<DesignAccuracy>& designs, ChartOf quantity
 }
 
 std::string cost_text(const BakeCost& cost) {
-    return fmt::format("{} | {} | {}", time_text(cost.seconds), cost.bytes, cost.statements);
+    return fmt::format("{} | {}", time_text(cost.seconds), cost.bytes);
 }
 
 std::string cost_summary(const std::vector<DesignAccuracy>& designs) {
     std::string text =
-        "| design | bake | bytes | statements | with all put back: bake | bytes | statements |\n"
-        "| --- | --- | --- | --- | --- | --- | --- |\n";
+        "| design | bake | bytes | with all put back: bake | bytes |\n"
+        "| --- | --- | --- | --- | --- |\n";
     for (const DesignAccuracy& design : designs)
         text += fmt::format("| {} | {} | {} |\n", design_name(design), cost_text(design.costs.bake),
                             cost_text(design.costs.with_all));
@@ -153,7 +153,7 @@ std::string way_tables(const DesignAccuracy& design) {
 
 std::string cost_table(const OmissionCosts& costs) {
     std::string text = fmt::format(
-        "| | bake | bytes | statements | because |\n| --- | --- | --- | --- | --- |\n| as the design asks | "
+        "| | bake | bytes | because |\n| --- | --- | --- | --- |\n| as the design asks | "
         "{} | |\n",
         cost_text(costs.bake));
     for (const OmissionCost& cost : costs.omissions)
@@ -190,9 +190,8 @@ std::string accuracy_markdown(const std::vector<DesignAccuracy>& designs) {
         "both the "
         "worst of a fixed set of directions that reaches from the normal to grazing. Times are from the "
         "design to the "
-        "table, with one thread; that of R holds that of g. Statements are GLSL statements of the BRDF after "
-        "the "
-        "preprocessor.\n\n## Summary\n\nWorst error of g:\n\n{}\nWorst error of R:\n\n{}\nA second opinion "
+        "table, with one thread; that of R holds that of g.\n\n## Summary\n\nWorst error of g:\n\n{}\nWorst "
+        "error of R:\n\n{}\nA second opinion "
         "on g:\n\n{}"
         "\nWhat the plan leaves out:\n\n{}",
         summary(designs, ChartOf::area), summary(designs, ChartOf::albedo), harmonics_summary(designs),

@@ -26,9 +26,7 @@ Json points_json(const WayAccuracy& way) {
     return points;
 }
 
-Json cost_json(const BakeCost& cost) {
-    return {{"seconds", cost.seconds}, {"bytes", cost.bytes}, {"statements", cost.statements}};
-}
+Json cost_json(const BakeCost& cost) { return {{"seconds", cost.seconds}, {"bytes", cost.bytes}}; }
 
 Json costs_json(const OmissionCosts& costs) {
     Json omissions = Json::array();
@@ -82,8 +80,7 @@ std::string accuracy_json(const std::vector<DesignAccuracy>& designs) {
         {"units",
          {{"seconds",
            "from the design to the table, one thread, the shortest of several runs; with R, g is among it"},
-          {"bytes", "of all that is stored, 4 a number"},
-          {"statements", "GLSL statements of the BRDF after the preprocessor"}}},
+          {"bytes", "of all that is stored, 4 a number"}}},
         {"designs", std::move(list)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

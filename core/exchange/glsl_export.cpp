@@ -96,7 +96,7 @@ std::string without_comments(const std::string& text) {
 std::string glsl_export(const Design& design, const Tables& tables, const std::string& prefix) {
     ShaderVariant variant = variant_of(tables.shading);
     std::string body =
-        variant_definitions(variant) + shared_parameters() + constants(tables) + shared_mathematics();
+        variant_definitions(variant) + shared_parameters() + constants(tables) + shared_mathematics(variant);
     std::string head = fmt::format(
         "// {0}: a BRDF made by Nacre (Ashikhmin, Premoze, Shirley 2000). GLSL 3.30 or later.\n"
         "// vec3 {1}_brdf(vec3 k1, vec3 k2): 1/sr. Unit vectors away from the surface, x tangent, y "

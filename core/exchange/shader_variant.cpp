@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cassert>
+#include <utility>
 #include <vector>
 
 #include "shaders/shader_text.h"
@@ -28,10 +30,45 @@ std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string
 
 // The lobe that a model of shaders/shared/closed_forms.glsl is written with, if any.
 std::optional<int> lobe_of(const std::optional<int>& closed_form) {
-    if (closed_form == Shader::MODEL_WARD) return Shader::LOBE_GAUSSIAN;
-    if (closed_form == Shader::MODEL_GGX) return Shader::LOBE_GGX;
-    if (closed_form == Shader::MODEL_BECKMANN) return Shader::LOBE_BECKMANN;
+    if (closed_form == Shader::MODEL_WARD) return kind_index<Lobe, GaussianLobe>();
+    if (closed_form == Shader::MODEL_GGX) return kind_index<Lobe, GgxLobe>();
+    if (closed_form == Shader::MODEL_BECKMANN) return kind_index<Lobe, BeckmannLobe>();
     return {};
+}
+
+std::set<int> lobes_of(const ShaderVariant& variant) {
+    std::set<int> lobes = variant.lobes;
+    if (const auto lobe = lobe_of(variant.closed_form)) lobes.insert(*lobe);
+    return lobes;
+}
+
+// Some kinds of a set as GLSL: the texts of shaders/SET/, and a line CASE(index, NAME_SUFFIX, ...) each to
+// stand where the shared text says EACH_...; cmake/kinds.cmake does the same of all kinds for C++.
+struct KindTexts {
+    std::string functions;
+    std::string cases;
+};
+
+template <class Variant>
+KindTexts kind_texts(std::string_view set, std::string_view macro,
+                     std::initializer_list<const char*> suffixes, const std::set<int>& kinds) {
+    KindTexts texts;
+    for (const int index : kinds) {
+        const std::string_view name = KindSet<Variant>::names.at(static_cast<std::size_t>(index));
+        texts.functions += text_of(fmt::format("{}/{}.glsl", set, name)) + "\n";
+        texts.cases += fmt::format("    {}({}", macro, index);
+        for (const char* suffix : suffixes) texts.cases += fmt::format(", {}{}", name, suffix);
+        texts.cases += ")\n";
+    }
+    return texts;
+}
+
+// The shared text with these lines where it says `mark`.
+std::string with_cases(std::string text, std::string_view mark, const std::string& cases) {
+    const std::string line = fmt::format("{}\n", mark);
+    for (std::size_t at = text.find(line); at != text.npos; at = text.find(line, at + cases.size()))
+        text.replace(at, line.size(), cases);
+    return text;
 }
 
 std::string shown_definitions(const ShaderVariant& variant) {
@@ -72,52 +109,53 @@ std::string variant_definitions(const ShaderVariant& variant) {
     auto define = [&](std::string_view name, bool on) {
         text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
     };
-    auto has = [&](int kind) {
-        return variant.lobes.count(kind) > 0 || lobe_of(variant.closed_form) == kind;
-    };
-    define("HAS_GAUSSIAN", has(Shader::LOBE_GAUSSIAN));
-    define("HAS_INVERSE_GAUSSIAN", has(Shader::LOBE_INVERSE_GAUSSIAN));
-    define("HAS_GGX", has(Shader::LOBE_GGX));
-    define("HAS_BECKMANN", has(Shader::LOBE_BECKMANN));
-    define("HAS_UNIFORM", has(Shader::LOBE_HEMISPHERE) || has(Shader::LOBE_SPHERE));
-    define("HAS_CURVE", has(Shader::LOBE_CURVE));
-    define("HAS_PAINTED", has(Shader::LOBE_PAINTED));
+    const std::set<int> lobes = lobes_of(variant);
+    define("HAS_GAUSSIAN", lobes.count(kind_index<Lobe, GaussianLobe>()) > 0);
+    define("HAS_GGX", lobes.count(kind_index<Lobe, GgxLobe>()) > 0);
+    define("HAS_BECKMANN", lobes.count(kind_index<Lobe, BeckmannLobe>()) > 0);
+    define("HAS_PICTURE", variant.modulation || std::any_of(lobes.begin(), lobes.end(), lobe_reads_picture));
     define("HAS_MODULATION", variant.modulation);
     define("HAS_ALBEDO", variant.kinds.albedo);
-    define("FRESNEL_SCHLICK", variant.kinds.fresnel == FresnelKind::schlick);
-    define("FRESNEL_DIELECTRIC", variant.kinds.fresnel == FresnelKind::dielectric);
-    define("FRESNEL_CONDUCTOR", variant.kinds.fresnel == FresnelKind::conductor);
-    define("VISIBILITY_CORRELATED", variant.kinds.visibility == VisibilityKind::correlated);
-    define("VISIBILITY_SMITH", variant.kinds.visibility == VisibilityKind::smith_correlated);
-    define("DIFFUSE_LAMBERTIAN", variant.kinds.diffuse == DiffuseKind::lambertian);
-    define("DIFFUSE_COUPLED", variant.kinds.diffuse == DiffuseKind::coupled);
-    define("DIFFUSE_METAL", variant.kinds.diffuse == DiffuseKind::metal);
+    define("HAS_LINEAR_FRESNEL", variant.kinds.fresnel_tables == FresnelTables::linear);
+    define("HAS_EXACT_FRESNEL", variant.kinds.fresnel_tables == FresnelTables::exact);
     define("AMBIENT_LIGHT", variant.ambient);
     define("SURROUNDINGS", variant.surroundings);
     text += fmt::format("#define LIGHTS {}\n", variant.lights);
     text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
-    for (const char* kind : {"FRESNEL_IS_SCHLICK", "FRESNEL_IS_DIELECTRIC", "FRESNEL_IS_CONDUCTOR",
-                             "VISIBILITY_IS_CORRELATED", "VISIBILITY_IS_SMITH", "READS_ALBEDO"})
-        text += fmt::format("#define {} true\n", kind);
-    text +=
-        fmt::format("#define DIFFUSE_IS_LAMBERTIAN {}\n", variant.kinds.diffuse == DiffuseKind::lambertian);
-    text += fmt::format("#define DIFFUSE_IS_COUPLED {}\n", variant.kinds.diffuse == DiffuseKind::coupled);
-    text += fmt::format("#define DIFFUSE_IS_METAL {}\n", variant.kinds.diffuse == DiffuseKind::metal);
+    // One model of each set is there.
+    for (const char* fixed : {"FRESNEL_IS(index)", "FRESNEL_IS_LINEAR", "FRESNEL_IS_EXACT",
+                              "MASKING_IS(index)", "DIFFUSE_IS(index)", "READS_ALBEDO"})
+        text += fmt::format("#define {} true\n", fixed);
     return text;
 }
 
 std::string shared_parameters() { return text_of("shared/parameters.glsl"); }
 
-std::string shared_mathematics() {
-    return text_of("choice.glsl") + "\n" + text_of("shared/fresnel.glsl") + "\n" +
-           text_of("shared/lobes.glsl") + "\n" + text_of("shared/tables.glsl") + "\n" +
-           text_of("shared/brdf.glsl");
+std::string shared_mathematics(const ShaderVariant& variant) {
+    const ShadingKinds& kinds = variant.kinds;
+    const KindTexts lobe = kind_texts<Lobe>("lobes", "LOBE_CASE", {"_lobe"}, lobes_of(variant));
+    const KindTexts fresnel = kind_texts<Fresnel>("fresnel", "FRESNEL_CASE", {"_fresnel"}, {kinds.fresnel});
+    const KindTexts masking =
+        kind_texts<MaskingModel>("masking", "MASKING_CASE", {"_masking"}, {kinds.masking});
+    const KindTexts diffuse = kind_texts<Diffuse>("diffuse", "DIFFUSE_CASE",
+                                                  {"_share", "_diffuse", "_diffuse_albedo"}, {kinds.diffuse});
+    std::string text;
+    for (const std::string& part :
+         {text_of("choice.glsl"), text_of("shared/fresnel.glsl"), fresnel.functions,
+          text_of("shared/pictures.glsl"), lobe.functions, text_of("shared/lobes.glsl"),
+          text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
+          diffuse.functions, text_of("shared/brdf.glsl")})
+        text += part + "\n";
+    text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
+    text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
+    text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
+    return with_cases(std::move(text), "EACH_DIFFUSE", diffuse.cases);
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
     std::string text = "#version 330 core\n" + variant_definitions(variant) + shown_definitions(variant) +
-                       shared_parameters() + "\n" + text_of("uniforms.glsl") + "\n" + shared_mathematics() +
-                       "\n";
+                       shared_parameters() + "\n" + text_of("uniforms.glsl") + "\n" +
+                       shared_mathematics(variant) + "\n";
     if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
     if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";
     for (const std::string_view part : parts_of(variant, main)) text += text_of(part) + "\n";

@@ -13,7 +13,7 @@
 namespace nacre {
 
 struct ShaderVariant {
-    std::set<int> lobes;  // LOBE_* in use
+    std::set<int> lobes;  // in use, by their place in Lobe
     bool modulation = false;
     ShadingKinds kinds;
     int lights = 1;
@@ -32,7 +32,7 @@ std::string variant_definitions(const ShaderVariant& variant);
 
 // The shared mathematics, in order: what comes before `fetch` is defined, and what comes after.
 std::string shared_parameters();
-std::string shared_mathematics();
+std::string shared_mathematics(const ShaderVariant& variant);
 
 // A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "surface.frag".
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main);

@@ -44,7 +44,7 @@ void add_layer_pictures(const Tables& tables, std::vector<TablePicture>& picture
     };
     for (int i = 0; i < tables.shading.layer_count; ++i) {
         const Shader::Layer& layer = tables.shading.layers[i];
-        if (layer.kind == Shader::LOBE_PAINTED) add(i, "painted", layer.data_offset, layer.data_size);
+        if (lobe_reads_picture(layer.kind)) add(i, "painted", layer.data_offset, layer.data_size);
         if (layer.picture_size > 0) add(i, "modulation", layer.picture_offset, layer.picture_size);
     }
 }

@@ -4,9 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
-#include "core/design/design_names.h"
 #include "core/exchange/error_json.h"
 
 namespace nacre {
@@ -18,41 +16,17 @@ using Shader = Shading<double>;
 Json numbers(dvec2 v) { return Json::array({v.x, v.y}); }
 Json numbers(dvec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-// What each lobe is at h = (x, y, z) of its own frame, 0 where z <= 0 unless said otherwise; (i, j) is
-// inverse_width.                                                        (shaders/shared/lobes.glsl)
-const char* lobe_formula(int kind) {
-    switch (kind) {
-        case Shader::LOBE_GAUSSIAN:
-            return "exp(-((x i/z)^2 + (y j/z)^2))";
-        case Shader::LOBE_INVERSE_GAUSSIAN:
-            return "exp(-(z i)^2/(x^2 + y^2)), 0 at x = y = 0";
-        case Shader::LOBE_GGX:
-            return "1/((x i)^2 + (y j)^2 + z^2)^2";
-        case Shader::LOBE_BECKMANN:
-            return "exp(-((x i/z)^2 + (y j/z)^2))/z^4";
-        case Shader::LOBE_HEMISPHERE:
-            return "1";
-        case Shader::LOBE_SPHERE:
-            return "1, also where z <= 0";
-        case Shader::LOBE_CURVE:
-            return "straight lines through `curve` over theta = acos(z), also where z <= 0; 0 outside it";
-        default:
-            return "`picture`";
-    }
-}
-
-Json layer_json(const Tables& tables, int index) {
+// `lobe` is what the layer was made of; (i, j) in its formula is inverse_width.
+Json layer_json(const Tables& tables, int index, const Lobe& lobe) {
     const Shader::Layer& layer = tables.shading.layers[index];
-    static constexpr const char* kinds[] = {"gaussian",   "inverse_gaussian", "ggx",   "beckmann",
-                                            "hemisphere", "sphere",           "curve", "painted"};
-    Json json = {{"kind", kinds[layer.kind]},
-                 {"lobe", lobe_formula(layer.kind)},
+    Json json = {{"kind", std::visit([](const auto& kind) { return kind.table_kind(); }, lobe)},
+                 {"lobe", std::visit([](const auto& kind) { return kind.formula(); }, lobe)},
                  {"scale", layer.scale},
                  {"axis_x", numbers(layer.axis_x)},
                  {"axis_y", numbers(layer.axis_y)},
                  {"axis_z", numbers(layer.axis_z)},
                  {"inverse_width", numbers(layer.inverse_width)}};
-    if (layer.kind == Shader::LOBE_CURVE) {
+    if (std::holds_alternative<CurveLobe>(lobe)) {
         Json curve = Json::array();
         for (int i = 0; i < layer.data_size; ++i) {
             const auto at = static_cast<std::size_t>(layer.data_offset + 2 * i);
@@ -60,7 +34,7 @@ Json layer_json(const Tables& tables, int index) {
         }
         json["curve"] = std::move(curve);
     }
-    if (layer.kind == Shader::LOBE_PAINTED) json["picture"] = layer_picture_file(index, "painted");
+    if (holds_picture(lobe)) json["picture"] = layer_picture_file(index, "painted");
     if (layer.picture_size > 0) {
         json["modulation"] = layer_picture_file(index, "modulation");
         json["modulation_strength"] = layer.picture_strength;
@@ -68,9 +42,19 @@ Json layer_json(const Tables& tables, int index) {
     return json;
 }
 
-Json distribution_json(const Tables& tables) {
+// The lobes that the shader's layers stand for, in their order.
+std::vector<const Lobe*> lobes_in_use(const Distribution& distribution) {
+    std::vector<const Lobe*> lobes;
+    for (const Layer& layer : distribution.layers)
+        if (layer.enabled && layer.weight > 0) lobes.push_back(&layer.lobe);
+    return lobes;
+}
+
+Json distribution_json(const Design& design, const Tables& tables) {
+    const std::vector<const Lobe*> lobes = lobes_in_use(design.distribution);
     Json layers = Json::array();
-    for (int i = 0; i < tables.shading.layer_count; ++i) layers.push_back(layer_json(tables, i));
+    for (int i = 0; i < tables.shading.layer_count; ++i)
+        layers.push_back(layer_json(tables, i, *lobes.at(static_cast<std::size_t>(i))));
     return {{"p",
              "density of facet normals h on the sphere, 1/sr, integral 1: the sum over the layers of scale * "
              "lobe"},
@@ -142,80 +126,68 @@ Json evaluation_json(const Tables& tables) {
 
 // What R0 and R mean with each Fresnel model.
 void add_fresnel_rules(const Tables& tables, Json& json) {
-    switch (tables.shading.kinds.fresnel) {
-        case FresnelKind::none:
+    switch (tables.shading.kinds.fresnel_tables) {
+        case FresnelTables::none:
             json["albedo_of_design"] = "R = R1";
             break;
-        case FresnelKind::schlick:
+        case FresnelTables::linear:
             json["fresnel_at_n"] = "(1 - z)^5";
             json["albedo_of_design"] = "R = f0 R1 + (1 - f0) R0";
             break;
-        case FresnelKind::dielectric:
-        case FresnelKind::conductor:
+        case FresnelTables::exact:
             json["fresnel_at_n"] = "the exact F at the cosine z, each colour";
             json["albedo_of_design"] = "R = R0, each colour";
             break;
     }
 }
 
+// One parameter of a model, as its list has it.
+template <class T>
+void add_parameter(const T& model, const NumberParameter<T>& parameter, Json& json) {
+    json[std::string(parameter.text.table_key())] = model.*parameter.member;
+}
+template <class T>
+void add_parameter(const T& model, const ColourParameter<T>& parameter, Json& json) {
+    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
+}
+template <class T>
+void add_parameter(const T& model, const TripleParameter<T>& parameter, Json& json) {
+    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
+}
+
+template <class Variant>
+void add_model(const char* key, const Variant& value, Json& json) {
+    json[key] = kind_name(value);
+    std::visit(
+        [&]<class T>(const T& model) {
+            visit_parameters<T>([&](const auto& parameter) { add_parameter(model, parameter, json); });
+        },
+        value);
+}
+
 Json material_json(const Design& design, const Tables& tables) {
-    const Shader& shading = tables.shading;
-    const auto& surface = shading.surface;
-    Json json = {{"fresnel", fresnel_names[design.fresnel.index()]}};
-    if (shading.kinds.fresnel == FresnelKind::schlick) json["f0"] = numbers(surface.f0);
-    if (shading.kinds.fresnel == FresnelKind::dielectric) json["ior"] = surface.eta.x;
-    if (shading.kinds.fresnel == FresnelKind::conductor) {
-        json["eta"] = numbers(surface.eta);
-        json["k"] = numbers(surface.kappa);
-    }
-    json["shadowing"] = shadowing_names[static_cast<std::size_t>(design.shadowing.model)];
-    if (shading.kinds.visibility == VisibilityKind::correlated)
-        json["correlation_width_degrees"] = surface.correlation * (180 / std::numbers::pi);
-    json["clamp"] = shading.kinds.clamp;
-    json["diffuse"] = diffuse_names[design.diffuse.index()];
-    if (shading.kinds.diffuse == DiffuseKind::lambertian) {
-        json["kd"] = surface.kd;
-        json["ks"] = surface.ks;
-    }
-    if (shading.kinds.diffuse != DiffuseKind::none) json["diffuse_albedo"] = numbers(surface.albedo);
+    const auto& surface = tables.shading.surface;
+    Json json;
+    add_model("fresnel", design.fresnel, json);
+    add_model("shadowing", design.shadowing.model, json);
+    json["clamp"] = design.shadowing.clamp;
+    add_model("diffuse", design.diffuse, json);
+    if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
     if (tables.plan.albedo) json["coupling"] = numbers(surface.coupling);
     return json;
 }
 
-const char* visibility_rule(VisibilityKind kind) {
-    switch (kind) {
-        case VisibilityKind::uncorrelated:
-            return "V = N/(G1 G2)";
-        case VisibilityKind::correlated:
-            return "V = (1-t) N/(G1 G2) + t/max(G1 z2, G2 z1), t = exp(-(d/correlation_width)^2/2), d = the "
-                   "angle between the "
-                   "directions' projections onto the surface";
-        case VisibilityKind::smith_correlated:
-            return "V = N/(G1 G2)/(p1 + p2 - p1 p2), p = min(1, N z/G)";
-    }
-    return "";
+template <class Variant>
+const char* formula_of(const Variant& model) {
+    return std::visit([]<class T>(const T&) { return T::formula; }, model);
 }
 
-const char* diffuse_rule(DiffuseKind kind) {
-    switch (kind) {
-        case DiffuseKind::none:
-            return "rho = specular";
-        case DiffuseKind::lambertian:
-            return "rho = ks specular + kd diffuse_albedo/pi";
-        case DiffuseKind::coupled:
-            return "rho = specular + coupling diffuse_albedo (1 - R(k1)) (1 - R(k2))";
-        case DiffuseKind::metal:
-            return "rho = specular + coupling diffuse_albedo (f - R(k1))+ (f - R(k2))+, f = diffuse_albedo";
-    }
-    return "";
-}
-
-Json brdf_json(const Tables& tables) {
+Json brdf_json(const Design& design) {
     return {
         "1/sr; k1 toward the light, k2 toward the viewer, h = (k1 + k2)/|k1 + k2|, 0 where z1 <= 0 or z2 <= "
         "0",
-        "G = max(g, N z) with clamp, G = g without", visibility_rule(tables.shading.kinds.visibility),
-        "specular = p(h) F(k1.h) V/4", diffuse_rule(tables.shading.kinds.diffuse)};
+        "G = max(g, N z) with clamp, G = g without", formula_of(design.shadowing.model),
+        "specular = p(h) F(k1.h) V/4", formula_of(design.diffuse)};
 }
 
 Json pictures_json(const std::vector<TablePicture>& pictures) {
@@ -250,11 +222,11 @@ std::string table_manifest(const Design& design, const Tables& tables,
                          {"mean_normal", numbers(tables.mean)},
                          {"mean_albedo", tables.mean_albedo}};
     json["material"] = material_json(design, tables);
-    json["distribution"] = distribution_json(tables);
+    json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
     json["evaluate"] = evaluation_json(tables);
     if (tables.plan.albedo) add_fresnel_rules(tables, json);
-    json["brdf"] = brdf_json(tables);
+    json["brdf"] = brdf_json(design);
     json["tables"] = pictures_json(pictures);
     json["texels"] = {
         {"w, v", "column i of n stands at i/(n-1): texels on both ends, not at centres"},

@@ -124,7 +124,7 @@ void add_tilts(Cases& cases) {
     // The paper's (sec. 6.4), N doubled by hand.
     Design slanted = of(GaussianLobe{0.5, infinity}, 40);
     slanted.distribution.mean_cosine_scale = 2;
-    slanted.shadowing.model = ShadowingModel::correlated;
+    slanted.shadowing.model = CorrelatedMasking{};
     add("slanted velvet", slanted, usual_claim);
     slanted.shadowing.clamp = false;
     add("slanted velvet, no clamp", slanted, leaning_claim);
@@ -227,12 +227,11 @@ void add_visibilities(Cases& cases) {
         double tilt;
     };
     // The narrowest t upright: on a p that leans the reference takes a minute for one R.
-    for (const Model& m :
-         {Model{"uncorrelated", {ShadowingModel::uncorrelated}, 50},
-          {"correlated, 0.1 degrees", {ShadowingModel::correlated, limits::correlation_min}, 0},
-          {"correlated, 15 degrees", {ShadowingModel::correlated, 15}, 50},
-          {"correlated, 180 degrees", {ShadowingModel::correlated, limits::correlation_max}, 50},
-          {"Smith", {ShadowingModel::smith_correlated}, 50}})
+    for (const Model& m : {Model{"uncorrelated", {UncorrelatedMasking{}}, 50},
+                           {"correlated, 0.1 degrees", {CorrelatedMasking{limits::correlation_min}}, 0},
+                           {"correlated, 15 degrees", {CorrelatedMasking{}}, 50},
+                           {"correlated, 180 degrees", {CorrelatedMasking{limits::correlation_max}}, 50},
+                           {"Smith", {SmithCorrelatedMasking{}}, 50}})
         for (const bool clamp : {true, false}) {
             Design design = of(GaussianLobe{0.3, 0.3}, m.tilt);
             design.shadowing = m.shadowing;

@@ -18,10 +18,6 @@ constexpr double check_tolerance = 1e-9;
 constexpr int depth = 18;
 constexpr int grid_side = 1500;  // points along azimuth and along the angle from the axis, with a picture
 
-bool holds_picture(const Layer& layer) {
-    return layer.modulation.has_value() || std::holds_alternative<PaintedLobe>(layer.lobe);
-}
-
 // p and (k.h)+ p over one hemisphere, the second divided by `unit`.
 class SpanIntegral {
   public:

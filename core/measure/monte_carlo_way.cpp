@@ -41,7 +41,7 @@ AlbedoValues sample_albedo(const Shading<double>& shading, const GridTable& tabl
 
 StoredTable make_table(const Design& design, int samples, Wanted wanted, const std::stop_token& stop) {
     BareSurface surface(design);
-    surface.shading.kinds.fresnel = FresnelKind::none;
+    surface.shading.kinds.fresnel = kind_index<Fresnel, NoFresnel>();
     const auto table = std::make_shared<GridTable>(
         PlainGrid(paper_polar, paper_azimuths, find_symmetry(design.distribution)));
     table->fill_area(

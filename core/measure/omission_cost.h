@@ -1,4 +1,4 @@
-// What each thing that a bake and its shader leave out would cost if it were there.
+// What each thing that a bake leaves out would cost if it were there.
 #pragma once
 
 #include <stop_token>
@@ -12,12 +12,11 @@ namespace nacre {
 struct BakeCost {
     double seconds = 0;     // one thread, the shortest of several runs
     std::size_t bytes = 0;  // of the tables
-    int statements = 0;     // GLSL statements of the BRDF, after the preprocessor
 };
 
 struct OmissionCost {
     Omission omission;
-    BakeCost with_it;  // of the whole bake and shader with that one thing put back in
+    BakeCost with_it;  // of the whole bake with that one thing put back in
 };
 
 struct OmissionCosts {

@@ -15,7 +15,7 @@
 
 namespace nacre {
 
-using Opponent = std::variant<ClosedFormModel, ShadowingModel>;
+using Opponent = std::variant<ClosedFormModel, MaskingModel>;
 
 std::vector<Opponent> all_opponents();
 std::string name_of(const Opponent& opponent);      // on the command line

@@ -20,7 +20,7 @@ constexpr double lowest = 1e-6;  // c of the pairs that are counted
 Shading<double> plain_form(const Tables& tables) {
     Shading<double> shading = tables.shading;
     shading.kinds.clamp = false;
-    shading.kinds.visibility = VisibilityKind::uncorrelated;
+    shading.kinds.masking = kind_index<MaskingModel, UncorrelatedMasking>();
     return shading;
 }
 

@@ -19,7 +19,7 @@ using std::numbers::pi;
 // What both rules of an adaptive pair agree on may still hide a kink that no cut is made at: where P1 = P2,
 // which the correlated models have. Asked for more, they find it.
 double albedo_tolerance(const Design& design) {
-    return design.shadowing.model == ShadowingModel::uncorrelated ? 5e-7 : 1e-8;
+    return masking_bends(design.shadowing.model.index()) == MaskingBends::none ? 5e-7 : 1e-8;
 }
 
 }  // namespace
@@ -35,8 +35,7 @@ Reference::Reference(const Design& design)
     const BakePlan plan = plan_bake(design, {Quality::final, true, {}});
     channels_ = plan.fresnel_tables;
     round_ = plan.symmetry.symmetry == Symmetry::isotropic;
-    reads_albedo_ =
-        shading_.kinds.diffuse == DiffuseKind::coupled || shading_.kinds.diffuse == DiffuseKind::metal;
+    reads_albedo_ = nacre::reads_albedo(design.diffuse);
     shading_.kinds.albedo = reads_albedo_;
 }
 
@@ -55,7 +54,7 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
 dvec3 Reference::design_albedo(const AlbedoValues& values) const {
     if (channels_ == 0) return dvec3{values[0]};
     if (channels_ == 3) return {values[1], values[2], values[3]};
-    return shading_.surface.f0 * values[0] + (1.0 - shading_.surface.f0) * values[1];
+    return shading_.surface.fresnel_a * values[0] + (1.0 - shading_.surface.fresnel_a) * values[1];
 }
 
 Shading<double>::Direction Reference::direction(dvec3 k, std::stop_token stop) const {

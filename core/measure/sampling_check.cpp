@@ -25,7 +25,7 @@ std::shared_ptr<const Tables> specular_only(const Tables& tables) {
     specular->data = tables.data;
     specular->shading = tables.shading;
     specular->shading.data = specular->data.data();
-    specular->shading.kinds.diffuse = DiffuseKind::none;
+    specular->shading.kinds.diffuse = kind_index<Diffuse, NoDiffuse>();
     return specular;
 }
 

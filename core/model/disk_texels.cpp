@@ -1,7 +1,9 @@
 #include "core/model/disk_texels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "core/model/texel_tents.h"
 
@@ -94,6 +96,16 @@ float largest_on_disk(const Raster& picture) {
         for (int column = on.begin; column < on.end; ++column) largest = std::max(largest, values[column]);
     }
     return largest;
+}
+
+ScaledPicture scaled_picture(const Raster& picture) {
+    std::vector<float> texels = extended_past_rim(picture).values;
+    const float largest = largest_on_disk(picture);
+    if (!(largest > 0)) return {std::move(texels), 1};
+    const int exponent = std::ilogb(largest);
+    ScaledPicture result{std::move(texels), std::scalbn(1.0, exponent)};
+    for (float& texel : result.texels) texel = std::scalbn(texel, -exponent);
+    return result;
 }
 
 }  // namespace nacre

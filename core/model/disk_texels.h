@@ -7,9 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
-#include "core/design/design.h"
 #include "core/model/disk.h"
+#include "core/model/raster.h"
 
 namespace nacre {
 
@@ -45,5 +46,13 @@ double raster_mass(const Raster& picture);
 
 // The largest value on the disk.
 float largest_on_disk(const Raster& picture);
+
+// A picture's texels as they are read, over a power of two that brings the brightest into [1, 2): the digits
+// stay, and neither the texels nor a layer's scale leave a float's range whatever unit the picture is in.
+struct ScaledPicture {
+    std::vector<float> texels;
+    double unit;  // picture = unit * texels
+};
+ScaledPicture scaled_picture(const Raster& picture);
 
 }  // namespace nacre

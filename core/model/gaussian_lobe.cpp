@@ -1,4 +1,4 @@
-#include "core/model/gaussian_lobe.h"
+#include "core/model/lobes/gaussian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ class Gaussian final : public LobeModel {
     double density(dvec3 h) const override { return Shading<double>::gaussian_density(h, inverse_width_); }
 
     void densities(const DirectionColumns& h, double* p) const override {
-        lobe_densities({Shading<double>::LOBE_GAUSSIAN, inverse_width_}, h, p);
+        lobe_densities({kind_index<Lobe, GaussianLobe>(), inverse_width_}, h, p);
     }
     double mass() const override { return mass_; }
 
@@ -99,8 +99,6 @@ class Gaussian final : public LobeModel {
 
 }  // namespace
 
-std::shared_ptr<const LobeModel> make_gaussian_lobe(const GaussianLobe& lobe) {
-    return std::make_shared<Gaussian>(lobe);
-}
+std::shared_ptr<const LobeModel> GaussianLobe::model() const { return std::make_shared<Gaussian>(*this); }
 
 }  // namespace nacre

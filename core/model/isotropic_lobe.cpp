@@ -1,4 +1,4 @@
-#include "core/model/isotropic_lobe.h"
+#include "core/model/lobe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +176,7 @@ class InverseGaussian final : public Isotropic {
     }
 
     void densities(const DirectionColumns& h, double* p) const override {
-        lobe_densities({Shading<double>::LOBE_INVERSE_GAUSSIAN, dvec2{inverse_width_}}, h, p);
+        lobe_densities({kind_index<Lobe, InverseGaussianLobe>(), dvec2{inverse_width_}}, h, p);
     }
     dvec3 mean() const override { return {0, 0, area({0, 0, 1}).g}; }
     std::vector<LobeSpan> spans() const override { return {{dvec2{stretch_}, 1, {}}}; }
@@ -193,16 +193,15 @@ class InverseGaussian final : public Isotropic {
 
 class Curve final : public Isotropic {
   public:
-    explicit Curve(const CurveLobe& lobe) : data_(curve_data(lobe)) {
+    explicit Curve(const CurveLobe& lobe) : data_(lobe.shader().data) {
         std::vector<double> pieces;
         for (std::size_t i = 0; i < data_.size(); i += 2) pieces.push_back(data_[i]);
         shading_.data = data_.data();
+        layer_.data_size = static_cast<int>(data_.size() / 2);
         set_pieces(1, std::move(pieces));
     }
 
-    double density(dvec3 h) const override {
-        return shading_.curve_density(h, 0, static_cast<int>(data_.size() / 2));
-    }
+    double density(dvec3 h) const override { return shading_.curve_lobe(layer_, h); }
 
     std::vector<LobeSpan> spans() const override {
         LobeSpan above, below;
@@ -233,6 +232,7 @@ class Curve final : public Isotropic {
   private:
     std::vector<float> data_;
     Shading<double> shading_;
+    Shading<double>::Layer layer_{};
 };
 
 // The next float below where rounding would go up: a curve down to the horizon or to the nadir stays above
@@ -244,24 +244,24 @@ float rounded_down(double angle) {
 
 }  // namespace
 
-std::shared_ptr<const LobeModel> make_inverse_gaussian_lobe(const InverseGaussianLobe& lobe) {
-    return std::make_shared<InverseGaussian>(lobe);
+std::shared_ptr<const LobeModel> InverseGaussianLobe::model() const {
+    return std::make_shared<InverseGaussian>(*this);
 }
 
-std::shared_ptr<const LobeModel> make_curve_lobe(const CurveLobe& lobe) {
-    return std::make_shared<Curve>(lobe);
-}
+std::shared_ptr<const LobeModel> CurveLobe::model() const { return std::make_shared<Curve>(*this); }
 
-std::vector<float> curve_data(const CurveLobe& lobe) {
+// Values over the power of two that brings the largest into [1, 2), so that no unit of p leaves a float's
+// range: the lobe is normalised anyhow.
+ShaderLobe CurveLobe::shader() const {
     double largest = 0;
-    for (const auto& point : lobe.points) largest = std::fmax(largest, point.second);
+    for (const auto& point : points) largest = std::fmax(largest, point.second);
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-    std::vector<float> data;
-    for (const auto& [theta, value] : lobe.points) {
-        data.push_back(rounded_down(theta * (pi / 180)));
-        data.push_back(static_cast<float>(std::scalbn(value, -exponent)));
+    ShaderLobe lobe{.data_size = static_cast<int>(points.size())};
+    for (const auto& [theta, value] : points) {
+        lobe.data.push_back(rounded_down(theta * (pi / 180)));
+        lobe.data.push_back(static_cast<float>(std::scalbn(value, -exponent)));
     }
-    return data;
+    return lobe;
 }
 
 }  // namespace nacre

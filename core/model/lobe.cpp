@@ -2,35 +2,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "core/model/gaussian_lobe.h"
-#include "core/model/isotropic_lobe.h"
 #include "core/model/picture_lobe.h"
-#include "core/model/standard_lobes.h"
 
 namespace nacre {
-namespace {
-
-template <class... Case>
-struct Cases : Case... {
-    using Case::operator()...;
-};
-template <class... Case>
-Cases(Case...) -> Cases<Case...>;
-
-std::shared_ptr<const LobeModel> make_plain_lobe(const Lobe& lobe) {
-    return std::visit(Cases{[](const GaussianLobe& l) { return make_gaussian_lobe(l); },
-                            [](const InverseGaussianLobe& l) { return make_inverse_gaussian_lobe(l); },
-                            [](const GgxLobe& l) { return make_ggx_lobe(l); },
-                            [](const BeckmannLobe& l) { return make_beckmann_lobe(l); },
-                            [](const UniformLobe& l) { return make_uniform_lobe(l); },
-                            [](const CurveLobe& l) { return make_curve_lobe(l); },
-                            [](const PaintedLobe& l) { return make_painted_lobe(l, {}, Fineness::bake); }},
-                      lobe);
-}
-
-}  // namespace
-
 void LobeModel::densities(const DirectionColumns& h, double* p) const {
     for (std::size_t i = 0; i < h.size; ++i) p[i] = density({h.x[i], h.y[i], h.z[i]});
 }
@@ -50,11 +26,18 @@ std::vector<Facet> LobeModel::facets(std::size_t) const { return {}; }
 void LobeModel::visit_points(const std::function<void(const Facet&)>&) const {}
 
 std::shared_ptr<const LobeModel> make_lobe(const Layer& layer, Fineness fineness) {
-    if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
-        return make_painted_lobe(*painted, layer.modulation, fineness);
-    std::shared_ptr<const LobeModel> lobe = make_plain_lobe(layer.lobe);
-    if (layer.modulation) lobe = make_modulated_lobe(std::move(lobe), *layer.modulation, fineness);
-    return lobe;
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.modulated_model(layer.modulation, fineness); }) {
+                return kind.modulated_model(layer.modulation, fineness);
+            } else {
+                std::shared_ptr<const LobeModel> lobe = kind.model();
+                if (layer.modulation)
+                    lobe = make_modulated_lobe(std::move(lobe), *layer.modulation, fineness);
+                return lobe;
+            }
+        },
+        layer.lobe);
 }
 
 double uniform_random(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }

@@ -158,10 +158,6 @@ class MergedLobe final : public LobeModel {
     MomentPyramid pyramid_;
 };
 
-bool holds_picture(const Layer& layer) {
-    return layer.modulation.has_value() || std::holds_alternative<PaintedLobe>(layer.lobe);
-}
-
 }  // namespace
 
 std::size_t count_facets(const Distribution& design) {
@@ -170,8 +166,9 @@ std::size_t count_facets(const Distribution& design) {
     for (const Layer& layer : design.layers) {
         if (!layer.enabled || layer.weight <= 0 || !holds_picture(layer)) continue;
         std::size_t side = least_side;
-        if (const auto* painted = std::get_if<PaintedLobe>(&layer.lobe))
-            side = std::max(side, static_cast<std::size_t>(painted->image.raster->width));
+        visit_pictures(layer.lobe, [&](const Picture& picture, std::string_view) {
+            side = std::max(side, static_cast<std::size_t>(picture.raster->width));
+        });
         sum += side * side;
     }
     return sum;

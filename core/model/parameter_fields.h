@@ -46,10 +46,9 @@ void visit_table_fields(const Visit& visit, Shapes&... shapes) {
 template <class Visit, class... Surfaces>
 void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
     visit("N", surfaces.N...);
-    visit("correlation", surfaces.correlation...);
-    visit("f0", surfaces.f0...);
-    visit("eta", surfaces.eta...);
-    visit("kappa", surfaces.kappa...);
+    visit("masking_width", surfaces.masking_width...);
+    visit("fresnel_a", surfaces.fresnel_a...);
+    visit("fresnel_b", surfaces.fresnel_b...);
     visit("kd", surfaces.kd...);
     visit("ks", surfaces.ks...);
     visit("albedo", surfaces.albedo...);

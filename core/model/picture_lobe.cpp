@@ -108,7 +108,7 @@ class Painted final : public LobeModel {
     }
     void densities(const DirectionColumns& h, double* p) const override {
         if (factor_) return LobeModel::densities(h, p);
-        lobe_densities({Shading<double>::LOBE_PAINTED, {}, picture_.raster()->values.data(), given_->width},
+        lobe_densities({kind_index<Lobe, PaintedLobe>(), {}, picture_.raster()->values.data(), given_->width},
                        h, p);
     }
     double mass() const override { return pyramid_->mass(); }
@@ -215,10 +215,14 @@ MomentPyramid::Part difference(const Raster& a, const Raster& b) {
 
 }  // namespace
 
-std::shared_ptr<const LobeModel> make_painted_lobe(const PaintedLobe& lobe,
-                                                   const std::optional<Modulation>& modulation,
-                                                   Fineness fineness) {
-    return std::make_shared<Painted>(lobe, modulation, fineness);
+std::shared_ptr<const LobeModel> PaintedLobe::modulated_model(const std::optional<Modulation>& modulation,
+                                                              Fineness fineness) const {
+    return std::make_shared<Painted>(*this, modulation, fineness);
+}
+
+ShaderLobe PaintedLobe::shader() const {
+    ScaledPicture picture = scaled_picture(*image.raster);
+    return {.data_size = image.raster->width, .data = std::move(picture.texels), .unit = picture.unit};
 }
 
 std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modulation>& modulation) {

@@ -5,11 +5,6 @@
 
 namespace nacre {
 
-// A product that is 0 everywhere has mass 0.
-std::shared_ptr<const LobeModel> make_painted_lobe(const PaintedLobe& lobe,
-                                                   const std::optional<Modulation>& modulation,
-                                                   Fineness fineness);
-
 // What each texel of a painted lobe's raster, row by row, stands for at a value of 1, in the lobe's frame:
 // the facets' mass and their mean direction, which is shorter than 1. Nothing for texels off the disk.
 std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modulation>& modulation);
@@ -17,7 +12,7 @@ std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modula
 // A painted lobe after a brush has touched its raster.
 struct Repaint {
     std::shared_ptr<const LobeModel>
-        lobe;  // to the bit what make_painted_lobe() makes, at the cost of the touch
+        lobe;  // to the bit what PaintedLobe::modulated_model() makes, at the cost of the touch
     // In the lobe's frame; mass is what was added, of either sign. That each stands for a small patch, which
     // the lobe's g knows, is left out.
     std::vector<Facet> changes;

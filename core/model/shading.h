@@ -7,19 +7,21 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-#include "core/design/design.h"
+#include "core/model/diffuse_models.h"
+#include "core/model/fresnel_models.h"
+#include "core/model/limits.h"
+#include "core/model/lobes.h"
+#include "core/model/masking_models.h"
 
 namespace nacre {
 
-enum class FresnelKind { none, schlick, dielectric, conductor };
-enum class VisibilityKind { uncorrelated, correlated, smith_correlated };
-enum class DiffuseKind { none, lambertian, coupled, metal };
-
-// What a shader variant fixes at compile time and C++ decides at run time.
+// What a shader variant fixes at compile time and C++ decides at run time. Models are told by their place in
+// the alternatives of Fresnel, MaskingModel and Diffuse.
 struct ShadingKinds {
-    FresnelKind fresnel = FresnelKind::none;
-    VisibilityKind visibility = VisibilityKind::uncorrelated;
-    DiffuseKind diffuse = DiffuseKind::none;
+    int fresnel = kind_index<Fresnel, NoFresnel>();
+    int masking = kind_index<MaskingModel, UncorrelatedMasking>();
+    int diffuse = kind_index<Diffuse, NoDiffuse>();
+    FresnelTables fresnel_tables = FresnelTables::none;
     bool clamp = true;
     bool albedo = false;  // the tables hold R
 

@@ -6,47 +6,51 @@
 #define PURE static
 #define READS const
 #define HAS_GAUSSIAN 1
-#define HAS_INVERSE_GAUSSIAN 1
 #define HAS_GGX 1
 #define HAS_BECKMANN 1
-#define HAS_UNIFORM 1
-#define HAS_CURVE 1
-#define HAS_PAINTED 1
+#define HAS_PICTURE 1
 #define HAS_MODULATION 1
 #define HAS_ALBEDO 1
-#define FRESNEL_SCHLICK 1
-#define FRESNEL_DIELECTRIC 1
-#define FRESNEL_CONDUCTOR 1
-#define VISIBILITY_CORRELATED 1
-#define VISIBILITY_SMITH 1
-#define DIFFUSE_LAMBERTIAN 1
-#define DIFFUSE_COUPLED 1
-#define DIFFUSE_METAL 1
-#define FRESNEL_IS_SCHLICK kinds.fresnel == FresnelKind::schlick
-#define FRESNEL_IS_DIELECTRIC kinds.fresnel == FresnelKind::dielectric
-#define FRESNEL_IS_CONDUCTOR kinds.fresnel == FresnelKind::conductor
-#define VISIBILITY_IS_CORRELATED kinds.visibility == VisibilityKind::correlated
-#define VISIBILITY_IS_SMITH kinds.visibility == VisibilityKind::smith_correlated
+#define HAS_LINEAR_FRESNEL 1
+#define HAS_EXACT_FRESNEL 1
+#define FRESNEL_IS(index) kinds.fresnel == index
+#define FRESNEL_IS_LINEAR kinds.fresnel_tables == FresnelTables::linear
+#define FRESNEL_IS_EXACT kinds.fresnel_tables == FresnelTables::exact
+#define MASKING_IS(index) kinds.masking == index
+#define DIFFUSE_IS(index) kinds.diffuse == index
 #define CLAMP_VISIBILITY kinds.clamp
-#define DIFFUSE_IS_LAMBERTIAN kinds.diffuse == DiffuseKind::lambertian
-#define DIFFUSE_IS_COUPLED kinds.diffuse == DiffuseKind::coupled
-#define DIFFUSE_IS_METAL kinds.diffuse == DiffuseKind::metal
 #define READS_ALBEDO kinds.albedo
 
 static constexpr scalar LARGEST = std::numeric_limits<scalar>::max();
 
 #include "shaders/shared/parameters.glsl"
 
+// The specular term alone.
+static Surface plain_surface() {
+    Surface plain{};
+    plain.ks = 1;
+    return plain;
+}
+
 ShadingKinds kinds;
-Surface surface{};
+Surface surface = plain_surface();
 Layer layers[limits::layers_max]{};
 int layer_count = 0;
 const float* data = nullptr;  // tables, curves and pictures; owned by the Tables this was made from
 
+// A kind need not look at all that its function is given.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "shaders/shared/fresnel.glsl"
+#include "core/model/fresnel_members.inl"
+#include "shaders/shared/pictures.glsl"
+#include "core/model/lobes_members.inl"
 #include "shaders/shared/lobes.glsl"
 #include "shaders/shared/tables.glsl"
-
+#include "shaders/shared/direction.glsl"
+#include "core/model/masking_members.inl"
+#include "core/model/diffuse_members.inl"
+#pragma GCC diagnostic pop
 #include "shaders/shared/brdf.glsl"
 #include "shaders/shared/terms.glsl"
 #include "shaders/shared/closed_forms.glsl"
@@ -79,29 +83,21 @@ void facet_albedo(const Direction& a, real3 h, int channels, const AreaOf& area,
 #undef PURE
 #undef READS
 #undef HAS_GAUSSIAN
-#undef HAS_INVERSE_GAUSSIAN
 #undef HAS_GGX
 #undef HAS_BECKMANN
-#undef HAS_UNIFORM
-#undef HAS_CURVE
-#undef HAS_PAINTED
+#undef HAS_PICTURE
 #undef HAS_MODULATION
 #undef HAS_ALBEDO
-#undef FRESNEL_SCHLICK
-#undef FRESNEL_DIELECTRIC
-#undef FRESNEL_CONDUCTOR
-#undef VISIBILITY_CORRELATED
-#undef VISIBILITY_SMITH
-#undef DIFFUSE_LAMBERTIAN
-#undef DIFFUSE_COUPLED
-#undef DIFFUSE_METAL
-#undef FRESNEL_IS_SCHLICK
-#undef FRESNEL_IS_DIELECTRIC
-#undef FRESNEL_IS_CONDUCTOR
-#undef VISIBILITY_IS_CORRELATED
-#undef VISIBILITY_IS_SMITH
+#undef HAS_LINEAR_FRESNEL
+#undef HAS_EXACT_FRESNEL
+#undef FRESNEL_IS
+#undef FRESNEL_IS_LINEAR
+#undef FRESNEL_IS_EXACT
+#undef MASKING_IS
+#undef DIFFUSE_IS
 #undef CLAMP_VISIBILITY
-#undef DIFFUSE_IS_LAMBERTIAN
-#undef DIFFUSE_IS_COUPLED
-#undef DIFFUSE_IS_METAL
 #undef READS_ALBEDO
+#undef EACH_LOBE
+#undef EACH_FRESNEL
+#undef EACH_MASKING
+#undef EACH_DIFFUSE

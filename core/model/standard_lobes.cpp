@@ -1,5 +1,3 @@
-#include "core/model/standard_lobes.h"
-
 #include <boost/math/special_functions/ellint_rg.hpp>
 #include <cmath>
 #include <numbers>
@@ -21,7 +19,7 @@ class Ggx final : public LobeModel {
     double density(dvec3 h) const override { return Shading<double>::ggx_density(h, 1.0 / alpha_); }
 
     void densities(const DirectionColumns& h, double* p) const override {
-        lobe_densities({Shading<double>::LOBE_GGX, 1.0 / alpha_}, h, p);
+        lobe_densities({kind_index<Lobe, GgxLobe>(), 1.0 / alpha_}, h, p);
     }
 
     // GGX is the normals of half an ellipsoid with axes 1/ax, 1/ay, 1: its area over its projected area is
@@ -66,7 +64,7 @@ class Beckmann final : public LobeModel {
     double density(dvec3 h) const override { return Shading<double>::beckmann_density(h, 1.0 / alpha_); }
 
     void densities(const DirectionColumns& h, double* p) const override {
-        lobe_densities({Shading<double>::LOBE_BECKMANN, 1.0 / alpha_}, h, p);
+        lobe_densities({kind_index<Lobe, BeckmannLobe>(), 1.0 / alpha_}, h, p);
     }
 
     // The mean of sqrt(1 + r^2) over Gaussian slopes, from
@@ -136,14 +134,10 @@ class Uniform final : public LobeModel {
 
 }  // namespace
 
-std::shared_ptr<const LobeModel> make_ggx_lobe(const GgxLobe& lobe) { return std::make_shared<Ggx>(lobe); }
+std::shared_ptr<const LobeModel> GgxLobe::model() const { return std::make_shared<Ggx>(*this); }
 
-std::shared_ptr<const LobeModel> make_beckmann_lobe(const BeckmannLobe& lobe) {
-    return std::make_shared<Beckmann>(lobe);
-}
+std::shared_ptr<const LobeModel> BeckmannLobe::model() const { return std::make_shared<Beckmann>(*this); }
 
-std::shared_ptr<const LobeModel> make_uniform_lobe(const UniformLobe& lobe) {
-    return std::make_shared<Uniform>(lobe.domain);
-}
+std::shared_ptr<const LobeModel> UniformLobe::model() const { return std::make_shared<Uniform>(domain); }
 
 }  // namespace nacre

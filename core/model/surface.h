@@ -12,11 +12,10 @@ namespace nacre {
 void describe_layers(const Distribution& distribution, const FacetDistribution& facets,
                      Shading<double>& shading, std::vector<float>& data);
 
-// Visibility, Fresnel and diffuse; coupling stays 0 until the albedo is known.
+// Masking, Fresnel and diffuse; coupling stays 0 until the albedo is known.
 void describe_material(const Design& design, const FacetDistribution& facets, Shading<double>& shading);
 
-FresnelKind kind_of(const Fresnel& fresnel);
-VisibilityKind kind_of(ShadowingModel model);
-DiffuseKind kind_of(const Diffuse& diffuse);
+// F(1), each colour.
+dvec3 normal_reflectance(const Fresnel& fresnel);
 
 }  // namespace nacre

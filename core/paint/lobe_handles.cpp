@@ -22,12 +22,26 @@ struct Widths {
     bool may_be_infinite = false;
 };
 
-Widths widths_of(Lobe& lobe) {
-    if (auto* l = std::get_if<GaussianLobe>(&lobe)) return {&l->sigma_x, &l->sigma_y, false, true};
-    if (auto* l = std::get_if<GgxLobe>(&lobe)) return {&l->alpha_x, &l->alpha_y};
-    if (auto* l = std::get_if<BeckmannLobe>(&lobe)) return {&l->alpha_x, &l->alpha_y};
-    if (auto* l = std::get_if<InverseGaussianLobe>(&lobe)) return {&l->sigma, &l->sigma, true};
-    return {};
+template <class T>
+bool may_be_infinite(double T::*member) {
+    bool found = false;
+    visit_parameters<T>([&]<class Parameter>(const Parameter& parameter) {
+        if constexpr (std::is_same_v<Parameter, NumberParameter<T>>)
+            found = found || (parameter.member == member && parameter.may_be_infinite);
+    });
+    return found;
+}
+
+Widths width_pointers(Lobe& lobe) {
+    return std::visit(
+        []<class T>(T& kind) -> Widths {
+            constexpr WidthMembers<T> widths = T::widths;
+            if constexpr (widths.x == nullptr)
+                return {};
+            else
+                return {&(kind.*widths.x), &(kind.*widths.y), widths.inverse, may_be_infinite(widths.x)};
+        },
+        lobe);
 }
 
 double slope(double width, bool inverted) {
@@ -37,13 +51,18 @@ double slope(double width, bool inverted) {
 
 dvec2 slopes_of(const Lobe& lobe) {
     Lobe copy = lobe;
-    const Widths widths = widths_of(copy);
+    const Widths widths = width_pointers(copy);
     return {slope(*widths.x, widths.inverted), slope(*widths.y, widths.inverted)};
 }
 
 bool has_widths(const Lobe& lobe) {
     Lobe copy = lobe;
-    return widths_of(copy).x != nullptr;
+    return width_pointers(copy).x != nullptr;
+}
+
+bool is_inverted(const Lobe& lobe) {
+    Lobe copy = lobe;
+    return width_pointers(copy).inverted;
 }
 
 bool is_round(const Lobe& lobe) {
@@ -77,7 +96,7 @@ void widen(Layer& layer, dvec3 from, dvec3 to) {
     const dvec3 a = local(layer, from), b = local(layer, to);
     const double before = slope_along(std::hypot(a.x, a.y), a.z);
     const double factor = slope_along(std::hypot(b.x, b.y), b.z) / std::max(before, width_least);
-    const Widths widths = widths_of(layer.lobe);
+    const Widths widths = width_pointers(layer.lobe);
     const double now = slopes_of(layer.lobe).x * factor;
     *widths.x = *widths.y = width_of(now, widths);
 }
@@ -100,12 +119,10 @@ void straighten(Distribution& distribution, dvec3 mean) {
     for (Layer& layer : distribution.layers) layer = carried(layer, glm::normalize(mean), {0, 0, 1});
 }
 
-bool has_outline(const Layer& layer) {
-    return has_widths(layer.lobe) || std::holds_alternative<PaintedLobe>(layer.lobe);
-}
+bool has_outline(const Layer& layer) { return has_widths(layer.lobe) || holds_picture(layer.lobe); }
 
 bool outline_turns(const Layer& layer) {
-    return !is_round(layer.lobe) || layer.modulation || std::holds_alternative<PaintedLobe>(layer.lobe);
+    return !is_round(layer.lobe) || layer.modulation || holds_picture(layer.lobe);
 }
 
 dvec3 outline_at(const Layer& layer, double t) {
@@ -122,7 +139,7 @@ dvec3 outline_at(const Layer& layer, double t) {
 
 std::vector<Handle> handles_of(const Layer& layer) {
     std::vector<Handle> handles{{HandleKind::axis, layer_frame(layer)[2]}};
-    if (!has_widths(layer.lobe) || std::holds_alternative<InverseGaussianLobe>(layer.lobe)) return handles;
+    if (!has_widths(layer.lobe) || is_inverted(layer.lobe)) return handles;
     for (const double t : {0.0, 0.5}) handles.push_back({HandleKind::width_x, outline_at(layer, t)});
     for (const double t : {0.25, 0.75}) handles.push_back({HandleKind::width_y, outline_at(layer, t)});
     return handles;
@@ -139,7 +156,7 @@ Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to) {
             widen(result, from, to);
     } else {
         const dvec3 l = local(layer, to);
-        const Widths widths = widths_of(result.lobe);
+        const Widths widths = width_pointers(result.lobe);
         double* width = kind == HandleKind::width_x ? widths.x : widths.y;
         if (width) *width = width_of(slope_along(kind == HandleKind::width_x ? l.x : l.y, l.z), widths);
     }

@@ -1,40 +1,18 @@
 // The BRDF. Every sum and product is in an order that does not change when k1 and k2 change places, so that
 // reciprocity holds to the last bit.
 
-// What the BRDF knows of one direction: its projected area and its albedo.
-struct Direction {
-    real3 k;
-    real g;    // eq. 18
-    real3 R;   // eq. 29; 0 when no diffuse term reads it
-};
-
-// a/b of a, b >= 0, and the largest number where that is greater or b is 0; 0/b is 0 for every b.
-PURE real bounded_quotient(real a, real b) {
-    return select(a < b * LARGEST, a / b, select(a > real(0.0), real(LARGEST), real(0.0)));
-}
-
-// F(cosine) of the design                                                   (eq. 31, or exact Fresnel)
+// F(cosine) of the design, by its model of shaders/fresnel/
 real3 fresnel(real cosine) READS {
     real3 f = real3(1.0);
-#if FRESNEL_SCHLICK
-    if (FRESNEL_IS_SCHLICK) f = schlick_fresnel(surface.f0, cosine);
-#endif
-#if FRESNEL_DIELECTRIC
-    if (FRESNEL_IS_DIELECTRIC) f = real3(dielectric_fresnel(surface.eta.x, cosine));
-#endif
-#if FRESNEL_CONDUCTOR
-    if (FRESNEL_IS_CONDUCTOR) {
-        f = real3(conductor_fresnel(surface.eta.x, surface.kappa.x, cosine),
-                  conductor_fresnel(surface.eta.y, surface.kappa.y, cosine),
-                  conductor_fresnel(surface.eta.z, surface.kappa.z, cosine));
-    }
-#endif
+#define FRESNEL_CASE(index, model) if (FRESNEL_IS(index)) f = model(surface.fresnel_a, surface.fresnel_b, cosine);
+EACH_FRESNEL
+#undef FRESNEL_CASE
     return f;
 }
 
-// P12 / (N c1 c2) with no division by a cosine: N/(G1 G2) for the uncorrelated product (eq. 26), where
-// G = max(g, N c) under clamp, so that P = min(1, N c/g) conserves energy for every p. The correlated forms grow
-// like 1/c where both directions graze, and stop at the largest number.
+// V = P12/(N c1 c2) with no division by a cosine: N/(G1 G2) for the uncorrelated product (eq. 26), which a model of
+// shaders/masking/ turns into its own. G = max(g, N c) under clamp, so that P = min(1, N c/g) conserves energy for every
+// p. The correlated forms grow like 1/c where both directions graze, and stop at the largest number.
 real visibility(Direction a, Direction b) READS {
     real nc1 = surface.N * a.k.z;
     real nc2 = surface.N * b.k.z;
@@ -45,27 +23,9 @@ real visibility(Direction a, Direction b) READS {
         g2 = max(g2, nc2);
     }
     real v = bounded_quotient(real(surface.N), g1 * g2);
-#if VISIBILITY_CORRELATED
-    // (1-t) P1 P2 + t min(P1, P2); min(P1,P2)/(N c1 c2) = 1/max(G1 c2, G2 c1)        (eq. 14)
-    if (VISIBILITY_IS_CORRELATED) {
-        real cross_product = a.k.x * b.k.y - a.k.y * b.k.x;
-        real dot_product = a.k.x * b.k.x + a.k.y * b.k.y;
-        // At n itself, where P = 1 and t counts for nothing, no azimuth is left.
-        condition upright = cross_product == real(0.0) && dot_product == real(0.0);
-        real angle = atan(abs(cross_product), select(upright, real(1.0), dot_product)) / surface.correlation;
-        real t = exp(real(-0.5) * angle * angle);
-        v = min((real(1.0) - t) * v + bounded_quotient(t, max(g1 * b.k.z, g2 * a.k.z)), real(LARGEST));
-    }
-#endif
-#if VISIBILITY_SMITH
-    // P1 P2/(P1 + P2 - P1 P2): P is Smith's G1 (Heitz 2014, eq. 99). Where the unclamped P exceeds 1 the
-    // correlation takes 1, and the product stays the paper's.
-    if (VISIBILITY_IS_SMITH) {
-        real p1 = min(nc1 / g1, real(1.0));
-        real p2 = min(nc2 / g2, real(1.0));
-        v = bounded_quotient(v, (p1 + p2) - p1 * p2);
-    }
-#endif
+#define MASKING_CASE(index, model) if (MASKING_IS(index)) v = model(surface.masking_width, a, b, g1, g2, surface.N, v);
+EACH_MASKING
+#undef MASKING_CASE
     return select(g1 <= real(0.0) || g2 <= real(0.0), real(0.0), v);
 }
 
@@ -98,35 +58,22 @@ real3 specular(Direction a, Direction b) READS {
     return fresnel(between.cosine) * min(facets, real(LARGEST));
 }
 
-// The part of a diffuse term that one direction brings: 1 - R, or f0 - R for the paper's metal, never < 0.
+// The part of a diffuse term that one direction brings, 0 to 1, by the model of shaders/diffuse/.
 real3 diffuse_share(Direction a) READS {
-    real3 whole = real3(1.0);
-#if DIFFUSE_METAL
-    if (DIFFUSE_IS_METAL) whole = surface.albedo;
-#endif
-    return max(whole - a.R, real3(0.0));
+    real3 share = real3(0.0);
+#define DIFFUSE_CASE(index, share_of, diffuse_of, albedo_of) if (DIFFUSE_IS(index)) share = share_of(a);
+EACH_DIFFUSE
+#undef DIFFUSE_CASE
+    return share;
 }
 
-// Everything that leaves other than by one reflection, 1/sr                  (eq. 27, 28, 30)
+// Everything that leaves other than by one reflection, 1/sr.
 real3 diffuse(Direction a, Direction b) READS {
     real3 rho = real3(0.0);
-#if DIFFUSE_LAMBERTIAN
-    if (DIFFUSE_IS_LAMBERTIAN) rho = surface.albedo * (surface.kd / TABLE_PI);
-#endif
-#if DIFFUSE_COUPLED || DIFFUSE_METAL
-    if (DIFFUSE_IS_COUPLED || DIFFUSE_IS_METAL) {
-        rho = (diffuse_share(a) * diffuse_share(b)) * (surface.coupling * surface.albedo);
-    }
-#endif
+#define DIFFUSE_CASE(index, share_of, diffuse_of, albedo_of) if (DIFFUSE_IS(index)) rho = diffuse_of(a, b);
+EACH_DIFFUSE
+#undef DIFFUSE_CASE
     return rho;
-}
-
-// The weight of the specular term: ks of eq. 27, else 1.
-real specular_weight() READS {
-#if DIFFUSE_LAMBERTIAN
-    if (DIFFUSE_IS_LAMBERTIAN) return surface.ks;
-#endif
-    return real(1.0);
 }
 
 #if HAS_ALBEDO
@@ -140,14 +87,14 @@ real clamped_part(real3 k, real g) READS {
 real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
     real full = full_albedo(spot);
     real3 r = real3(full);
-#if FRESNEL_SCHLICK
-    if (FRESNEL_IS_SCHLICK) {
+#if HAS_LINEAR_FRESNEL
+    if (FRESNEL_IS_LINEAR) {
         real zero = fresnel_albedo(spot, full, schlick_weight(k.z), 0);
-        r = real3(surface.f0) * full + (real3(1.0) - surface.f0) * zero;
+        r = real3(surface.fresnel_a) * full + (real3(1.0) - surface.fresnel_a) * zero;
     }
 #endif
-#if FRESNEL_DIELECTRIC || FRESNEL_CONDUCTOR
-    if (FRESNEL_IS_DIELECTRIC || FRESNEL_IS_CONDUCTOR) {
+#if HAS_EXACT_FRESNEL
+    if (FRESNEL_IS_EXACT) {
         real3 f = fresnel(k.z);
         r = real3(fresnel_albedo(spot, full, f.x, 0), fresnel_albedo(spot, full, f.y, 1),
                   fresnel_albedo(spot, full, f.z, 2));
@@ -171,27 +118,23 @@ Direction direction(real3 k) READS {
 }
 
 #if HAS_ALBEDO
-// What of a constant surrounding of radiance 1 the diffuse terms send toward k. The constant c of eq. 28 makes the
-// coupled term's albedo its share times rho_d.
+// What of a constant surrounding of radiance 1 the diffuse term sends toward k.
 real3 diffuse_albedo(Direction a) READS {
     real3 sum = real3(0.0);
-#if DIFFUSE_LAMBERTIAN
-    if (DIFFUSE_IS_LAMBERTIAN) sum = surface.albedo * surface.kd;
-#endif
-#if DIFFUSE_COUPLED || DIFFUSE_METAL
-    if (DIFFUSE_IS_COUPLED || DIFFUSE_IS_METAL) sum = diffuse_share(a) * surface.albedo;
-#endif
+#define DIFFUSE_CASE(index, share_of, diffuse_of, albedo_of) if (DIFFUSE_IS(index)) sum = albedo_of(a);
+EACH_DIFFUSE
+#undef DIFFUSE_CASE
     return sum;
 }
 
 // The same of the whole BRDF: its albedo.
 real3 total_albedo(Direction a) READS {
-    return a.R * specular_weight() + diffuse_albedo(a);
+    return a.R * surface.ks + diffuse_albedo(a);
 }
 #endif
 
 real3 brdf_of(Direction a, Direction b) READS {
-    return specular(a, b) * specular_weight() + diffuse(a, b);
+    return specular(a, b) * surface.ks + diffuse(a, b);
 }
 
 // The BRDF of unit vectors in the local frame, 1/sr; 0 where either is not above the horizon.

@@ -2,15 +2,6 @@
 // core/model/shading.h and core/model/lane_shading-inl.h, as C++ for one direction and for many at once: a `scalar`
 // and an int are the same for all directions, a `real`, an `integer` and a `condition` may differ.
 
-CONSTANT int LOBE_GAUSSIAN = 0;
-CONSTANT int LOBE_INVERSE_GAUSSIAN = 1;
-CONSTANT int LOBE_GGX = 2;
-CONSTANT int LOBE_BECKMANN = 3;
-CONSTANT int LOBE_HEMISPHERE = 4;
-CONSTANT int LOBE_SPHERE = 5;
-CONSTANT int LOBE_CURVE = 6;
-CONSTANT int LOBE_PAINTED = 7;
-
 CONSTANT int SYMMETRY_ISOTROPIC = 0;  // p depends on theta alone
 CONSTANT int SYMMETRY_QUARTER = 1;    // two mirror planes
 CONSTANT int SYMMETRY_HALF = 2;       // one
@@ -18,14 +9,14 @@ CONSTANT int SYMMETRY_NONE = 3;
 
 // One layer of p. Offsets count floats in the surface's data.
 struct Layer {
-    int kind;          // LOBE_*
+    int kind;          // which lobe of shaders/lobes/, in the order of their list
     scalar scale;        // density = scale * lobe (share of area over the lobe's own integral)
     scalar3 axis_x;      // the lobe's frame, in the local frame of the surface
     scalar3 axis_y;
     scalar3 axis_z;
     scalar2 inverse_width;   // 1/sigma or 1/alpha along x and y; 0 for an infinite width
     int data_offset;   // curve: (theta, value) pairs; painted: texels, top row first
-    int data_size;     // curve: points; painted: texels a side
+    int data_size;     // curve: points; painted: texels a side; uniform: 1 for the whole sphere
     int picture_offset;    // modulation: texels, top row first
     int picture_size;      // texels a side; 0 without modulation
     scalar picture_strength;
@@ -51,12 +42,11 @@ struct TableShape {
 struct Surface {
     TableShape tables;
     scalar N;             // <n.h> times the design's mean_cosine_scale
-    scalar correlation;   // standard deviation of t(phi), radians (eq. 14)
-    scalar3 f0;           // Schlick: reflectance at normal incidence
-    scalar3 eta;          // dielectric: x = index of refraction; conductor: scalar part
-    scalar3 kappa;        // conductor: imaginary part
+    scalar masking_width; // correlated masking: standard deviation of t(phi), radians (eq. 14)
+    scalar3 fresnel_a;    // what the Fresnel model reads: f0; the index of refraction in x; eta
+    scalar3 fresnel_b;    // kappa
     scalar kd;            // eq. 27
-    scalar ks;
+    scalar ks;            // weight of the specular term, 1 but for eq. 27
     scalar3 albedo;       // rho_d
     scalar3 coupling;     // the constant c of eq. 28, for each colour
 };

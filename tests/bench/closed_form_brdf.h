@@ -24,7 +24,7 @@ struct Ward {
     vec3 operator()(vec3 k1, vec3 k2) const {
         if (k1.z <= 0 || k2.z <= 0) return vec3(0);
         const float cosine = glm::min(0.5f * glm::length(k1 + k2), 1.0f);
-        return Shader::schlick_fresnel(f0, cosine) * Shader::ward(form, k1, k2);
+        return Shader::schlick_fresnel(f0, vec3(0), cosine) * Shader::ward(form, k1, k2);
     }
 
     Shader::ClosedForm form;
@@ -36,7 +36,7 @@ struct GgxSmith {
         if (k1.z <= 0 || k2.z <= 0) return vec3(0);
         const vec3 sum = k1 + k2;
         const float size = glm::length(sum);
-        return Shader::schlick_fresnel(f0, glm::min(0.5f * size, 1.0f)) *
+        return Shader::schlick_fresnel(f0, vec3(0), glm::min(0.5f * size, 1.0f)) *
                Shader::ggx(form, k1, k2, sum * (1 / size));
     }
 
@@ -49,7 +49,7 @@ struct CookTorrance {
         if (k1.z <= 0 || k2.z <= 0) return vec3(0);
         const vec3 sum = k1 + k2;
         const float size = glm::length(sum), cosine = glm::min(0.5f * size, 1.0f);
-        return Shader::schlick_fresnel(f0, cosine) *
+        return Shader::schlick_fresnel(f0, vec3(0), cosine) *
                Shader::cook_torrance(form, k1, k2, sum * (1 / size), cosine);
     }
 

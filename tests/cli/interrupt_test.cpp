@@ -11,7 +11,7 @@ using namespace nacre::test;
 
 TEST_CASE("Ctrl+C stops within a second whatever is going on") {
     Design velvet = slanted_velvet(true);
-    velvet.shadowing.model = ShadowingModel::correlated;
+    velvet.shadowing.model = CorrelatedMasking{};
     const DesignOnDisk design(velvet);
     SUBCASE("exact integration") {
         check_stops_within_a_second({"tables", design.path(), "--exact"},

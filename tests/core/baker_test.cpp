@@ -72,7 +72,7 @@ TEST_CASE("another masking keeps g and bakes R") {
     Baker baker;
     Design design = two_layers();
     baker.bake(design);
-    design.shadowing.model = ShadowingModel::correlated;
+    design.shadowing.model = CorrelatedMasking{};
     const auto again = baker.bake(design);
     CHECK(baker.area_origin() == TableOrigin::kept);
     CHECK(baker.albedo_origin() == TableOrigin::baked);

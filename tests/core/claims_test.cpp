@@ -114,7 +114,7 @@ TEST_CASE("claims hold: random mixtures that lean" * doctest::skip(slow)) {
 
 TEST_CASE("next to n a correlated masking has a limit for every azimuth, which R's rows hold") {
     const Design design = random_mixture(11);
-    REQUIRE(design.shadowing.model == ShadowingModel::correlated);
+    REQUIRE(std::holds_alternative<CorrelatedMasking>(design.shadowing.model));
     const auto tables = bake(design, {.albedo = true});
     const Reference reference(design);
     for (const double phi : {0.3, 2.0, 4.4}) {

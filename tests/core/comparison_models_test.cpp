@@ -122,7 +122,7 @@ TEST_CASE("GGX with Smith's height-correlated masking is a case of this model") 
     Design design = design_of(GgxLobe{0.1, 0.3});
     design.fresnel = NoFresnel{};
     design.diffuse = NoDiffuse{};
-    design.shadowing.model = ShadowingModel::smith_correlated;
+    design.shadowing.model = SmithCorrelatedMasking{};
     const auto tables = bake(design);
     const Form form = form_of(ClosedFormModel::ggx, 0.1, 0.3);
     Random random(11);
@@ -208,11 +208,10 @@ TEST_CASE("widths exist for every p: endless cylinders, velvet, a painted ring")
 }
 
 TEST_CASE("the factors multiply to the specular term") {
-    for (const ShadowingModel masking :
-         {ShadowingModel::uncorrelated, ShadowingModel::correlated, ShadowingModel::smith_correlated}) {
+    for (std::size_t masking = 0; masking < KindSet<MaskingModel>::count; ++masking) {
         Design design = with_layer(design_of(GgxLobe{0.2, 0.4}), GaussianLobe{0.1, 0.3}, 0.5, 20, 40);
         design.fresnel = ConductorFresnel{};
-        design.shadowing.model = masking;
+        design.shadowing.model = KindSet<MaskingModel>::made(masking);
         const auto tables = bake(design, {.quality = Quality::draft});
         const Brdf brdf(tables);
         const double N = tables->shading.surface.N;
@@ -224,7 +223,7 @@ TEST_CASE("the factors multiply to the specular term") {
                 term(Term::fresnel) * term(Term::density) * (N / 4) * term(Term::inverse_areas);
             const dvec3 specular = term(Term::specular);
             for (int c = 0; c < 3; ++c) CHECK(product[c] == doctest::Approx(specular[c]).epsilon(1e-12));
-            if (masking == ShadowingModel::uncorrelated)
+            if (std::holds_alternative<UncorrelatedMasking>(design.shadowing.model))
                 CHECK(term(Term::masking1).x * term(Term::masking2).x ==
                       doctest::Approx(term(Term::inverse_areas).x * N * N * k1.z * k2.z).epsilon(1e-12));
             CHECK(term(Term::masking1).x <= 1);

@@ -19,8 +19,7 @@ namespace {
 Design correlated(Lobe lobe, double width, double tilt = 0, double azimuth = 0) {
     Design design = design_of(std::move(lobe), tilt, azimuth);
     design.fresnel = NoFresnel{};
-    design.shadowing.model = ShadowingModel::correlated;
-    design.shadowing.width = width;
+    design.shadowing.model = CorrelatedMasking{width};
     return design;
 }
 
@@ -111,7 +110,7 @@ TEST_CASE("exact R under eq. 14 of a lobe that leans: the kink cuts across its w
 
 TEST_CASE("exact R with Smith's height correlation sees the layer beside the horizon") {
     Design design = correlated(GgxLobe{0.3, 0.3}, 15);
-    design.shadowing.model = ShadowingModel::smith_correlated;
+    design.shadowing.model = SmithCorrelatedMasking{};
     const Reference reference(design);
     for (const double c : {0.9, 0.05, 0.006}) {
         CAPTURE(c);

@@ -78,11 +78,11 @@ TEST_SUITE("design") {
         CHECK(layers[6].lobe == Lobe{PaintedLobe{held(2, {1, 2, 3, 4})}});
         REQUIRE(layers[6].modulation);
         CHECK(*layers[6].modulation == Modulation{held(1, {0.5f}), 0.5});
-        CHECK(design.shadowing == Shadowing{ShadowingModel::correlated, 20, false});
+        CHECK(design.shadowing == Shadowing{CorrelatedMasking{20}, false});
         CHECK(design.fresnel == Fresnel{ConductorFresnel{{1, 2, 3}, {4, 5, 6}}});
         CHECK(design.diffuse == Diffuse{LambertianDiffuse{0.25, 0.75, {0.1, 0.2, 0.3}}});
         CHECK(parse(R"({"nacre": 1, "shadowing": {"model": "smith_correlated"}})").shadowing.model ==
-              ShadowingModel::smith_correlated);
+              MaskingModel(SmithCorrelatedMasking{}));
     }
 
     TEST_CASE("design: what is written is what the contract shows") {

@@ -42,7 +42,7 @@ Picture picture_of(int side, const Function& value) {
 inline Design slanted_velvet(double mean_cosine_scale, bool clamp) {
     Design design = design_of(GaussianLobe{0.5, limits::infinity}, 40);
     design.distribution.mean_cosine_scale = mean_cosine_scale;
-    design.shadowing.model = ShadowingModel::correlated;
+    design.shadowing.model = CorrelatedMasking{};
     design.shadowing.clamp = clamp;
     return design;
 }

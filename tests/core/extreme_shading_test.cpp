@@ -18,9 +18,9 @@ namespace {
 
 using Shader = Shading<double>;
 
-Design correlated(ShadowingModel model, double width, bool clamp) {
+Design masked(const MaskingModel& model, bool clamp) {
     Design design = design_of(GaussianLobe{0.3, 0.3});
-    design.shadowing = {model, width, clamp};
+    design.shadowing = {model, clamp};
     return design;
 }
 
@@ -35,25 +35,25 @@ bool finite(dvec3 value) {
 TEST_SUITE_BEGIN("extreme shading");
 
 TEST_CASE("correlated visibility stays a number however low both directions stand") {
-    for (const ShadowingModel model :
-         {ShadowingModel::uncorrelated, ShadowingModel::correlated, ShadowingModel::smith_correlated})
-        for (const double width : {0.1, 15.0})
-            for (const bool clamp : {true, false}) {
-                CAPTURE(static_cast<int>(model));
-                CAPTURE(width);
-                const Brdf brdf(bake(correlated(model, width, clamp), {.quality = Quality::draft}));
-                const Shading<float> in_single = in_float(brdf.tables().shading);
-                for (const double c : {1e-20, 1e-40, 1e-170, 1e-290, 1e-307, 5e-324})
-                    for (const double other : {c, 1e-6, 1.0})
-                        for (const double side : {-1.0, 1.0}) {
-                            CAPTURE(c);
-                            const dvec3 a{1, 0, c}, b{side * std::sqrt(1 - other * other), 0, other};
-                            const dvec3 rho = brdf.evaluate(a, b);
-                            CHECK(finite(rho));
-                            CHECK(rho == brdf.evaluate(b, a));
-                            CHECK(finite(dvec3(in_single.brdf(glm::vec3(a), glm::vec3(b)))));
-                        }
-            }
+    std::vector<MaskingModel> models = {CorrelatedMasking{0.1}};
+    for (std::size_t i = 0; i < KindSet<MaskingModel>::count; ++i)
+        models.push_back(KindSet<MaskingModel>::made(i));
+    for (const MaskingModel& model : models)
+        for (const bool clamp : {true, false}) {
+            CAPTURE(kind_name(model));
+            const Brdf brdf(bake(masked(model, clamp), {.quality = Quality::draft}));
+            const Shading<float> in_single = in_float(brdf.tables().shading);
+            for (const double c : {1e-20, 1e-40, 1e-170, 1e-290, 1e-307, 5e-324})
+                for (const double other : {c, 1e-6, 1.0})
+                    for (const double side : {-1.0, 1.0}) {
+                        CAPTURE(c);
+                        const dvec3 a{1, 0, c}, b{side * std::sqrt(1 - other * other), 0, other};
+                        const dvec3 rho = brdf.evaluate(a, b);
+                        CHECK(finite(rho));
+                        CHECK(rho == brdf.evaluate(b, a));
+                        CHECK(finite(dvec3(in_single.brdf(glm::vec3(a), glm::vec3(b)))));
+                    }
+        }
 }
 
 TEST_CASE("rho of opposite grazing directions does not depend on how low they stand") {
@@ -67,8 +67,9 @@ TEST_CASE("rho of opposite grazing directions does not depend on how low they st
 }
 
 TEST_CASE("rho c of correlated visibility has a limit at the horizon") {
-    for (const ShadowingModel model : {ShadowingModel::correlated, ShadowingModel::smith_correlated}) {
-        const Brdf brdf(bake(correlated(model, 15, true), {.quality = Quality::draft}));
+    for (const MaskingModel& model :
+         {MaskingModel(CorrelatedMasking{}), MaskingModel(SmithCorrelatedMasking{})}) {
+        const Brdf brdf(bake(masked(model, true), {.quality = Quality::draft}));
         auto product = [&](double c) { return c * brdf.evaluate({1, 0, c}, {1, 0, 2 * c}).x; };
         // The half vector of two such directions is tangent, where eq. 34 is 0; a wide lobe keeps facets
         // there.
@@ -87,27 +88,27 @@ TEST_CASE("rho c of correlated visibility has a limit at the horizon") {
 TEST_CASE("an index of 1 reflects nothing, at grazing too, and an index near 1 hardly anything") {
     for (const double c : {0.0, 1e-300, 1e-9, 0.3, 1.0}) {
         CAPTURE(c);
-        CHECK(Shader::dielectric_fresnel(1, c) == 0);
-        CHECK(Shader::conductor_fresnel(1, 0, c) == 0);
-        CHECK(Shading<float>::dielectric_fresnel(1, static_cast<float>(c)) == 0);
-        CHECK(Shading<float>::conductor_fresnel(1, 0, static_cast<float>(c)) == 0);
+        CHECK(Shader::dielectric_reflectance(1, c) == 0);
+        CHECK(Shader::conductor_reflectance(1, 0, c) == 0);
+        CHECK(Shading<float>::dielectric_reflectance(1, static_cast<float>(c)) == 0);
+        CHECK(Shading<float>::conductor_reflectance(1, 0, static_cast<float>(c)) == 0);
     }
-    CHECK(Shader::dielectric_fresnel(1 + 1e-12, 0) == 1);
-    CHECK(Shader::dielectric_fresnel(1 + 1e-12, 0.5) < 1e-20);
+    CHECK(Shader::dielectric_reflectance(1 + 1e-12, 0) == 1);
+    CHECK(Shader::dielectric_reflectance(1 + 1e-12, 0.5) < 1e-20);
 }
 
 TEST_CASE("a conductor's reflectance is that of its dielectric when k = 0, and lies in [0, 1]") {
     for (const double c : {0.0, 1e-6, 0.1, 0.7, 1.0})
         for (const double ior : {1.001, 1.5, 10.0})
-            CHECK(Shader::conductor_fresnel(ior, 0, c) ==
-                  doctest::Approx(Shader::dielectric_fresnel(ior, c)).epsilon(1e-9));
+            CHECK(Shader::conductor_reflectance(ior, 0, c) ==
+                  doctest::Approx(Shader::dielectric_reflectance(ior, c)).epsilon(1e-9));
     Random random(5);
     auto spread = [&](double low, double high) { return low * std::pow(high / low, uniform_random(random)); };
     for (int i = 0; i < 20000; ++i) {
         const double eta = spread(limits::eta_min, limits::eta_max), k = spread(1e-12, limits::k_max);
         const double c = i % 3 ? uniform_random(random) : spread(1e-12, 1);
-        const double f = Shader::conductor_fresnel(eta, k, c);
-        const float single = Shading<float>::conductor_fresnel(static_cast<float>(eta), static_cast<float>(k),
+        const double f = Shader::conductor_reflectance(eta, k, c);
+        const float single = Shading<float>::conductor_reflectance(static_cast<float>(eta), static_cast<float>(k),
                                                                static_cast<float>(c));
         CHECK((f >= 0 && f <= 1));
         CHECK((single >= 0 && single <= 1));

@@ -121,8 +121,8 @@ TEST_CASE("a spoilt table is reported") {
     const std::string no_number =
         faults_of(extreme, spoilt(extreme, [](Tables& tables) { tables.data.back() = std::nanf(""); }));
     CHECK(mentions(no_number, "numbers of the tables are not finite"));
-    const std::string negative =
-        faults_of(extreme, spoilt(extreme, [](Tables& tables) { tables.shading.surface.f0 = dvec3{-1}; }));
+    const std::string negative = faults_of(
+        extreme, spoilt(extreme, [](Tables& tables) { tables.shading.surface.fresnel_a = dvec3{-1}; }));
     CHECK(mentions(negative, "rho is not finite or negative"));
 }
 

@@ -69,7 +69,7 @@ Design random_mixture(unsigned seed) {
         layer.rotation = number(0, 180);
         design.distribution.layers.push_back(layer);
     }
-    design.shadowing.model = static_cast<ShadowingModel>(static_cast<int>(number(0, 3)));
+    design.shadowing.model = KindSet<MaskingModel>::made(static_cast<std::size_t>(number(0, 3)));
     design.fresnel = SchlickFresnel{dvec3{0.5}};
     design.diffuse = CoupledDiffuse{dvec3{0.5}};
     return design;

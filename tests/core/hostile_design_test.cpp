@@ -193,8 +193,6 @@ TEST_SUITE("hostile design") {
     }
 
     TEST_CASE("hostile design: materials") {
-        refuse(design_with("\"diffuse\": {\"model\": \"facets\"}"), "diffuse.model",
-               "have not arrived yet (\"facets\")");
         refuse(design_with("\"diffuse\": {\"model\": \"velvet\"}"), "diffuse.model", "\"coupled\"");
         refuse(design_with("\"diffuse\": {\"model\": \"lambertian\", \"kd\": 0.6, \"ks\": 0.5}"), "diffuse",
                "kd + ks must not exceed 1");
@@ -228,7 +226,7 @@ TEST_SUITE("hostile design") {
             return fmt::format("\"lobe\": \"painted\", \"image\": {}", image);
         };
         accept_layer(painted(R"({"width": 2, "height": 2, "values": [0, 0, 0, 1]})"));
-        refuse_layer("\"lobe\": \"painted\"", "image", "missing: a painted layer holds");
+        refuse_layer("\"lobe\": \"painted\"", "image", "missing: a picture");
         refuse_layer("\"modulation\": {\"strength\": 1}", "modulation.image", "missing");
         refuse_layer(painted("7"), "image", "path of a picture, or a raster");
         refuse_layer(painted("\"\""), "image", "path of a picture");

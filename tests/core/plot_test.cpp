@@ -222,7 +222,7 @@ TEST_CASE("a slice holds the BRDF at the angles of half and difference vector") 
 
 TEST_CASE("the colours of a slice are not used up by a correlated masking that grows at grazing") {
     Design design = design_of(GgxLobe{0.3, 0.3});
-    design.shadowing.model = ShadowingModel::smith_correlated;
+    design.shadowing.model = SmithCorrelatedMasking{};
     const auto tables = baked(design);
     const Plot plot = *make_plot(*tables, settings_of(PlotKind::slice));
     const auto& slice = std::get<SlicePlot>(plot.contents);

@@ -20,10 +20,6 @@ double number(double low, double high) {
     return special == 0 ? low : special == 1 ? high : std::clamp(low + (high - low) * fraction, low, high);
 }
 
-double width() { return std::clamp(std::exp(number(-11.6, 11.6)), limits::width_min, limits::width_max); }
-
-double width_or_infinity() { return integer(0, 4) == 0 ? limits::infinity : width(); }
-
 double weight() { return std::min(std::exp(number(-30, 70)), limits::weight_max); }
 
 glm::dvec3 colour(double low, double high) {
@@ -50,66 +46,72 @@ Picture random_picture(const std::vector<Picture>& files) {
     return {{}, std::make_shared<const Raster>(raster)};
 }
 
-CurveLobe random_curve() {
-    CurveLobe curve{{{0, 1}}};
-    for (int i = integer(1, 5); i > 0; --i)
-        curve.points.emplace_back(std::min(curve.points.back().first + number(1e-3, 30), 180.0),
-                                  number(0, 1e30));
-    return curve;
-}
+// A random value of each parameter that a kind lists, within its bounds.
+struct RandomParameter {
+    const std::vector<Picture>& files;
 
-Lobe random_lobe(const std::vector<Picture>& files) {
-    switch (integer(0, 6)) {
-        case 0:
-            return GaussianLobe{width_or_infinity(), width_or_infinity()};
-        case 1:
-            return InverseGaussianLobe{width()};
-        case 2:
-            return GgxLobe{width(), width()};
-        case 3:
-            return BeckmannLobe{width(), width()};
-        case 4:
-            return UniformLobe{coin() ? UniformDomain::hemisphere : UniformDomain::sphere};
-        case 5:
-            return random_curve();
-        default:
-            return PaintedLobe{random_picture(files)};
+    template <class T>
+    void operator()(T& kind, const NumberParameter<T>& parameter) const {
+        const Range bounds = parameter.bounds;
+        double& value = kind.*parameter.member;
+        if (parameter.may_be_infinite && integer(0, 4) == 0)
+            value = limits::infinity;
+        else if (parameter.slider.logarithmic)
+            value = std::clamp(std::exp(number(std::log(bounds.low), std::log(bounds.high))), bounds.low,
+                               bounds.high);
+        else
+            value = number(bounds.low, bounds.high);
+        if constexpr (requires { kind.make_room(parameter.member); }) kind.make_room(parameter.member);
     }
+    template <class T>
+    void operator()(T& kind, const ColourParameter<T>& parameter) const {
+        kind.*parameter.member = colour(parameter.bounds.low, parameter.bounds.high);
+    }
+    template <class T>
+    void operator()(T& kind, const TripleParameter<T>& parameter) const {
+        kind.*parameter.member = colour(parameter.bounds.low, parameter.bounds.high);
+    }
+    template <class T, class Enum, std::size_t count>
+    void operator()(T& kind, const ChoiceParameter<T, Enum, count>& parameter) const {
+        kind.*parameter.member = static_cast<Enum>(integer(0, static_cast<int>(count) - 1));
+    }
+    template <class T>
+    void operator()(T& kind, const CurveParameter<T>& parameter) const {
+        auto& points = kind.*parameter.member;
+        points = {{parameter.theta_bounds.low, 1}};
+        for (int i = integer(1, 5); i > 0; --i)
+            points.emplace_back(std::min(points.back().first + number(1e-3, 30), parameter.theta_bounds.high),
+                                number(parameter.value_bounds.low, parameter.value_bounds.high));
+    }
+    template <class T>
+    void operator()(T& kind, const PictureParameter<T>& parameter) const {
+        kind.*parameter.member = random_picture(files);
+    }
+};
+
+template <class Variant>
+Variant random_kind(const std::vector<Picture>& files = {}) {
+    Variant value = KindSet<Variant>::made(
+        static_cast<std::size_t>(integer(0, static_cast<int>(KindSet<Variant>::count) - 1)));
+    std::visit(
+        [&]<class T>(T& kind) {
+            visit_parameters<T>([&](const auto& parameter) { RandomParameter{files}(kind, parameter); });
+        },
+        value);
+    return value;
 }
 
 Layer random_layer(const std::vector<Picture>& files) {
-    Layer layer{
-        text(), coin(), random_lobe(files), weight(), number(-360, 360), number(0, 180), number(-360, 360),
-        {}};
+    Layer layer{text(),
+                coin(),
+                random_kind<Lobe>(files),
+                weight(),
+                number(-360, 360),
+                number(0, 180),
+                number(-360, 360),
+                {}};
     if (coin()) layer.modulation = Modulation{random_picture(files), number(0, 1)};
     return layer;
-}
-
-Fresnel random_fresnel() {
-    switch (integer(0, 3)) {
-        case 0:
-            return SchlickFresnel{colour(0, 1)};
-        case 1:
-            return DielectricFresnel{number(limits::ior_min, limits::ior_max)};
-        case 2:
-            return ConductorFresnel{colour(limits::eta_min, limits::eta_max), colour(0, limits::k_max)};
-        default:
-            return NoFresnel{};
-    }
-}
-
-Diffuse random_diffuse() {
-    const double kd = number(0, 1);
-    switch (integer(0, 3)) {
-        case 0:
-            return LambertianDiffuse{kd, number(0, 1 - kd), colour(0, 1)};
-        case 1:
-            return CoupledDiffuse{colour(0, 1)};
-        case 2:
-            return MetalDiffuse{};
-        default:
-            return NoDiffuse{};
-    }
 }
 
 }  // namespace
@@ -121,11 +123,10 @@ Design random_design(const std::vector<Picture>& files) {
     for (int i = integer(0, 4); i > 0; --i) design.distribution.layers.push_back(random_layer(files));
     design.distribution.mean_cosine_scale =
         number(limits::mean_cosine_scale_min, limits::mean_cosine_scale_max);
-    design.shadowing.model = static_cast<ShadowingModel>(integer(0, 2));
-    if (design.shadowing.model == ShadowingModel::correlated) design.shadowing.width = number(0.1, 180);
+    design.shadowing.model = random_kind<MaskingModel>();
     design.shadowing.clamp = coin();
-    design.fresnel = random_fresnel();
-    design.diffuse = random_diffuse();
+    design.fresnel = random_kind<Fresnel>();
+    design.diffuse = random_kind<Diffuse>();
     return design;
 }
 

@@ -11,7 +11,6 @@
 #include "core/exchange/accuracy_text.h"
 #include "core/exchange/csv_field.h"
 #include "core/exchange/log_chart.h"
-#include "core/exchange/shader_size.h"
 #include "core/exchange/xml_text.h"
 #include "core/measure/accuracy.h"
 #include "tests/core/designs.h"
@@ -37,47 +36,17 @@ DesignAccuracy small_report(Design design) {
 
 TEST_SUITE_BEGIN("report");
 
-TEST_CASE("statements are counted after the preprocessor, without fields, comments and fixed conditions") {
-    const std::string text =
-        "#define ON 1\n#define OFF 0\n#define ALWAYS true\n"
-        "struct S {\n    int a;  // no; statement;\n    float b;\n};\n"
-        "const int c = 1;\n"
-        "int f(int x) {\n"
-        "#if OFF\n    x = 1;\n#else\n    x = 2;\n#endif\n"
-        "#if OFF || ON\n    if (ALWAYS) x = 3;\n#endif\n"
-        "#if ON && !ON\n    x = 4;\n#endif\n"
-        "    for (int i = 0; i < 3; ++i) x += i;\n"
-        "    if (x > 2) return 1;\n"
-        "    return x;\n}\n";
-    CHECK(preprocessed(text).find("x = 1") == std::string::npos);
-    CHECK(preprocessed(text).find("if (true) x = 3") != std::string::npos);
-    CHECK(count_statements(preprocessed(text)) == 7);
-}
-
 TEST_CASE("each omission costs what it brings, and all of them together the most") {
     Design design = design_of(GgxLobe{0.3, 0.3});
     design.fresnel = SchlickFresnel{};
     const OmissionCosts costs = measure_omissions(design, {});
-    int tables = 0, statements = 0;
+    CHECK(costs.omissions.size() == 3);
     for (const OmissionCost& cost : costs.omissions) {
         CAPTURE(cost.omission.what);
-        CHECK(cost.with_it.bytes >= costs.bake.bytes);
-        CHECK(cost.with_it.statements >= costs.bake.statements);
+        CHECK(cost.with_it.bytes >= 2 * costs.bake.bytes);
+        CHECK(cost.with_it.seconds > costs.bake.seconds);
         CHECK(cost.with_it.bytes <= costs.with_all.bytes);
-        CHECK(cost.with_it.statements < costs.with_all.statements);
-        const Part part = cost.omission.part;
-        if (part == Part::symmetric_nodes || part == Part::albedo || part == Part::diffuse) {
-            ++tables;
-            CHECK(cost.with_it.bytes >= 2 * costs.bake.bytes);
-            CHECK(cost.with_it.seconds > costs.bake.seconds);
-        } else {
-            ++statements;
-            CHECK(cost.with_it.bytes == costs.bake.bytes);
-            CHECK(cost.with_it.statements > costs.bake.statements);
-        }
     }
-    CHECK(tables == 3);
-    CHECK(statements >= 4);
 }
 
 TEST_CASE("a bake uses no more symmetry than it is told, and never more than p has") {

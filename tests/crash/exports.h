@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/design/design.h"
-#include "core/exchange/export_format.h"
+#include "core/formats/export_format.h"
 
 namespace nacre::test {
 
@@ -15,17 +15,17 @@ class Exports {
             Design design;
             design.name = which == 0 ? "first" : "second";
             design.distribution.layers[0].lobe = BeckmannLobe{0.2 + 0.2 * which, 0.2 + 0.2 * which};
-            for (const ExportFormat& format : export_formats())
-                writers_[which].push_back(format.prepare(design, {.bake = {.threads = 1}}, {}, {}));
+            for (const ExportFormat* format : export_formats())
+                writers_[which].push_back(format->prepare(design, {.bake = {.threads = 1}}, {}, {}));
         }
     }
 
     // A file or a folder of each format.
     void write(int which, const std::filesystem::path& folder) const {
         std::size_t index = 0;
-        for (const ExportFormat& format : export_formats())
+        for (const ExportFormat* format : export_formats())
             writers_[which][index++](folder /
-                                     ("out-" + std::string(format.name) + std::string(format.extension)));
+                                     ("out-" + std::string(format->name) + std::string(format->extension)));
     }
 
   private:

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/design/design_file.h"
-#include "core/exchange/export_format.h"
 #include "core/exchange/picture.h"
+#include "core/formats/export_format.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 #include "ui/shortcut_sheet.h"
@@ -93,8 +93,8 @@ TEST_CASE("commands: the export dialog writes each format") {
     r.play("wait");
     r.designer().exporter.options().tolerance = 0.1;
     r.designer().exporter.options().width = r.designer().exporter.options().height = 64;
-    for (const ExportFormat& format : export_formats())
-        write(std::string(format.title), std::string(format.name) + std::string(format.extension));
+    for (const ExportFormat* format : export_formats())
+        write(std::string(format->title), std::string(format->name) + std::string(format->extension));
     write("Picture, PNG", "picture.png");
     write("Picture, EXR", "linear.exr");
     CHECK(fs::exists(folder / "exr/manifest.json"));

@@ -82,7 +82,7 @@ TEST_CASE("compare: each opponent can be chosen and is baked without a wait of t
         REQUIRE(r.designer().preview.difference());
         const double rms = r.designer().preview.difference()->root_mean_square;
         // The starter's own masking is the uncorrelated one.
-        if (opponent == Opponent(ShadowingModel::uncorrelated)) {
+        if (opponent == Opponent(MaskingModel(UncorrelatedMasking{}))) {
             CHECK(rms == 0);
         } else {
             CHECK(rms > 0);

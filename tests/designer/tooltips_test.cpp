@@ -6,7 +6,6 @@
 #include <set>
 
 #include "tests/designer/rig.h"
-#include "ui/lobe_kinds.h"
 
 using namespace nacre;
 using nacre::test::Rig;
@@ -75,7 +74,7 @@ TEST_CASE("tooltips: what a choice brings") {
 TEST_CASE("tooltips: each kind of lobe") {
     Rig r;
     std::set<std::string> told;
-    for (const char* kind : ui::lobe_names()) {
+    for (const char* kind : KindSet<Lobe>::labels) {
         r.play("click \"Add layer\"\nclick \"Add " + std::string(kind) + "\"");
         check_all_explained(r, told);
     }

@@ -11,8 +11,8 @@
 #include "app/designer/autosave.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
-#include "core/exchange/export_format.h"
 #include "core/exchange/image_file.h"
+#include "core/formats/export_format.h"
 #include "tests/cli/child_process.h"
 #include "tests/core/temporary_folder.h"
 
@@ -169,10 +169,10 @@ TEST_CASE("faults: a picture is the old file or the new one") {
 }
 
 TEST_CASE("faults: an export of several files is all of the old ones or all of the new ones") {
-    for (const ExportFormat& format : export_formats()) {
-        const std::string output = "out" + std::string(format.extension);
-        const ExportWriter write[] = {format.prepare(design_named("old"), {.bake = {.threads = 1}}, {}, {}),
-                                      format.prepare(design_named("new"), {.bake = {.threads = 1}}, {}, {})};
+    for (const ExportFormat* format : export_formats()) {
+        const std::string output = "out" + std::string(format->extension);
+        const ExportWriter write[] = {format->prepare(design_named("old"), {.bake = {.threads = 1}}, {}, {}),
+                                      format->prepare(design_named("new"), {.bake = {.threads = 1}}, {}, {})};
         const TemporaryFolder folder;
         write[0](folder / output);
         const Files old = files_in(folder.path());

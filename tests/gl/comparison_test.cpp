@@ -66,7 +66,7 @@ TEST_CASE("a design differs from itself by nothing, and from others by a number"
     const std::vector<float> black = difference_picture(same.left_radiance, same.right_radiance, 3, {});
     CHECK(*std::max_element(black.begin(), black.end()) == 0);
     const RenderedPair other =
-        render_pair(surface(velvet), surface(velvet, ShadowingModel::uncorrelated), {}, size, false);
+        render_pair(surface(velvet), surface(velvet, MaskingModel(UncorrelatedMasking{})), {}, size, false);
     CHECK(other.difference.largest > other.difference.root_mean_square);
     CHECK(other.difference.root_mean_square > 1e-4);
     // Only what the masking changes: velvet's retroreflection is the correlated one's, so left is brighter.

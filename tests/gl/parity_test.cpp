@@ -47,8 +47,17 @@ std::vector<NamedDesign> designs() {
     all.push_back({"sphere", sphere});
     Design curve = design_of(CurveLobe{}, 12, 50);
     curve.diffuse = CoupledDiffuse{};
-    curve.shadowing = {ShadowingModel::smith_correlated, 15, false};
+    curve.shadowing = {SmithCorrelatedMasking{}, false};
     all.push_back({"tilted curve", curve});
+    // Every kind there is.
+    using Materials = KindSet<Fresnel>;
+    for (std::size_t i = 0; i < std::max(KindSet<Lobe>::count, Materials::count); ++i) {
+        Design design = design_of(lobe_of_widths(i % KindSet<Lobe>::count), 10, 20);
+        design.fresnel = Materials::made(i % Materials::count);
+        design.shadowing.model = KindSet<MaskingModel>::made(i % KindSet<MaskingModel>::count);
+        design.diffuse = KindSet<Diffuse>::made(i % KindSet<Diffuse>::count);
+        all.push_back({std::string(kind_name(design.distribution.layers[0].lobe)), design});
+    }
     return all;
 }
 
@@ -92,8 +101,7 @@ std::vector<float> run(const Program& program, const Tables& tables, const std::
 // needs it: 1.3e-2 apart with 1e-6 of the largest value, 4.8e-3 with 1e-5, 5.8e-4 with 1e-4.
 double least_value(const Shading<double>& shading) {
     for (int i = 0; i < shading.layer_count; ++i)
-        if (shading.layers[i].kind == Shading<double>::LOBE_PAINTED || shading.layers[i].picture_size > 0)
-            return 1e-4;
+        if (lobe_reads_picture(shading.layers[i].kind) || shading.layers[i].picture_size > 0) return 1e-4;
     return 1e-6;
 }
 

@@ -13,6 +13,7 @@
 #include "core/design/design_file.h"
 #include "core/exchange/glsl_export.h"
 #include "core/exchange/shader_variant.h"
+#include "core/measure/closed_form.h"
 #include "shaders/shader_text.h"
 
 using namespace nacre;
@@ -31,17 +32,20 @@ std::vector<Design> presets() {
 std::vector<ShaderVariant> all_kinds() {
     std::vector<ShaderVariant> variants;
     int turn = 0;
-    for (const FresnelKind fresnel :
-         {FresnelKind::none, FresnelKind::schlick, FresnelKind::dielectric, FresnelKind::conductor})
-        for (const VisibilityKind visibility :
-             {VisibilityKind::uncorrelated, VisibilityKind::correlated, VisibilityKind::smith_correlated})
-            for (const DiffuseKind diffuse :
-                 {DiffuseKind::none, DiffuseKind::lambertian, DiffuseKind::coupled, DiffuseKind::metal}) {
+    const int lobes = static_cast<int>(KindSet<Lobe>::count);
+    for (std::size_t fresnel = 0; fresnel < KindSet<Fresnel>::count; ++fresnel)
+        for (std::size_t masking = 0; masking < KindSet<MaskingModel>::count; ++masking)
+            for (std::size_t diffuse = 0; diffuse < KindSet<Diffuse>::count; ++diffuse) {
                 ShaderVariant variant;
-                variant.lobes = {turn % 8};
+                variant.lobes = {turn % lobes};
                 variant.modulation = turn % 3 == 0;
-                const bool reads = diffuse == DiffuseKind::coupled || diffuse == DiffuseKind::metal;
-                variant.kinds = {fresnel, visibility, diffuse, turn % 2 == 0, reads || turn % 5 == 0};
+                const bool reads = reads_albedo(KindSet<Diffuse>::made(diffuse));
+                variant.kinds = {.fresnel = static_cast<int>(fresnel),
+                                 .masking = static_cast<int>(masking),
+                                 .diffuse = static_cast<int>(diffuse),
+                                 .fresnel_tables = fresnel_tables(KindSet<Fresnel>::made(fresnel)),
+                                 .clamp = turn % 2 == 0,
+                                 .albedo = reads || turn % 5 == 0};
                 variant.lights = 1 + turn % 3;
                 variant.ambient = variant.kinds.albedo && turn % 4 < 2;
                 variant.term = all_terms()[static_cast<std::size_t>(turn) % all_terms().size()].term;
@@ -49,12 +53,14 @@ std::vector<ShaderVariant> all_kinds() {
                 ++turn;
             }
     // Each model in the place of a design's own BRDF, whole and in parts.
-    for (int model = 0; model < 4; ++model)
+    for (int model = 0; model < static_cast<int>(all_closed_forms().size()); ++model)
         for (const Term term : {Term::total, Term::specular, Term::diffuse}) {
             ShaderVariant variant;
-            variant.lobes = {turn++ % 8};
-            variant.kinds = {FresnelKind::schlick, VisibilityKind::uncorrelated, DiffuseKind::coupled, true,
-                             true};
+            variant.lobes = {turn++ % lobes};
+            variant.kinds = {.fresnel = kind_index<Fresnel, SchlickFresnel>(),
+                             .diffuse = kind_index<Diffuse, CoupledDiffuse>(),
+                             .fresnel_tables = FresnelTables::linear,
+                             .albedo = true};
             variant.ambient = true;
             variant.term = term;
             variant.closed_form = model;
@@ -140,11 +146,12 @@ TEST_CASE("the validator would notice") {
 
 TEST_CASE("a variant's text is a function of its value, and leaves out what it does not need") {
     ShaderVariant plain;
-    plain.lobes = {Shading<double>::LOBE_GGX};
-    CHECK(fragment_shader(plain, "surface.frag") == fragment_shader(plain, "surface.frag"));
-    CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_ALBEDO 0\n") != std::string::npos);
-    CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_GGX 1\n") != std::string::npos);
-    CHECK(fragment_shader(plain, "surface.frag").find("#define HAS_PAINTED 0\n") != std::string::npos);
+    plain.lobes = {kind_index<Lobe, GgxLobe>()};
+    const std::string text = fragment_shader(plain, "surface.frag");
+    CHECK(text.find("ggx_density") != text.npos);
+    for (const char* other : {"gaussian_density", "curve_lobe", "painted_lobe", "conductor",
+                              "correlated_masking", "coupled_share", "#define HAS_ALBEDO 1\n", "EACH_"})
+        CHECK_MESSAGE(text.find(other) == text.npos, other);
     ShaderVariant lit = plain;
     lit.lights = 2;
     CHECK(fragment_shader(lit, "surface.frag") != fragment_shader(plain, "surface.frag"));

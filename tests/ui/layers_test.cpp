@@ -4,7 +4,6 @@
 #include <string>
 
 #include "tests/ui/panel_rig.h"
-#include "ui/lobe_kinds.h"
 #include "ui/widgets.h"
 
 using namespace nacre;
@@ -208,13 +207,13 @@ TEST_CASE("layers: no more than a file may hold") {
 
 TEST_CASE("lobes: another kind keeps the widths it can have") {
     const Lobe brushed = GaussianLobe{0.1, limits::infinity};
-    const auto ggx = std::get<GgxLobe>(ui::converted_lobe(brushed, 2));
+    const auto ggx = GgxLobe::of_widths(widths_of(brushed));
     CHECK(ggx.alpha_x == 0.1);
     CHECK(ggx.alpha_y == 1);
-    const auto back = std::get<GaussianLobe>(ui::converted_lobe(ggx, 0));
+    const auto back = GaussianLobe::of_widths(widths_of(ggx));
     CHECK(back.sigma_x == 0.1);
-    for (std::size_t kind = 0; kind < ui::lobe_names().size(); ++kind) {
-        const Lobe lobe = ui::default_lobe(kind);
+    for (std::size_t kind = 0; kind < KindSet<Lobe>::count; ++kind) {
+        const Lobe lobe = lobe_of_widths(kind);
         CHECK(lobe.index() == kind);
         if (const auto* painted = std::get_if<PaintedLobe>(&lobe)) REQUIRE(painted->image.raster);
         if (const auto* curve = std::get_if<CurveLobe>(&lobe))

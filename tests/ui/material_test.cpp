@@ -1,6 +1,7 @@
 #include "ui/material_panel.h"
 
 #include "core/design/design.h"
+#include "core/model/surface.h"
 #include "tests/ui/panel_rig.h"
 
 using namespace nacre;
@@ -21,10 +22,38 @@ TEST_CASE("material: kd + ks never exceeds 1") {
 }
 
 TEST_CASE("material: changing the diffuse model keeps the colour") {
-    Diffuse diffuse = CoupledDiffuse{glm::dvec3(0.4, 0.05, 0.1)};
+    const glm::dvec3 albedo(0.4, 0.05, 0.1);
+    Diffuse diffuse = CoupledDiffuse{albedo};
     PanelRig rig([&] { ui::diffuse_panel(diffuse); });
-    rig.frame(3);
-    CHECK(diffuse == Diffuse(CoupledDiffuse{glm::dvec3(0.4, 0.05, 0.1)}));
+    rig.choose("Diffuse", "Lambertian");
+    REQUIRE(std::holds_alternative<LambertianDiffuse>(diffuse));
+    CHECK(std::get<LambertianDiffuse>(diffuse).albedo == albedo);
+    CHECK(std::get<LambertianDiffuse>(diffuse).kd == LambertianDiffuse{}.kd);
+    rig.choose("Diffuse", "Coupled");
+    CHECK(diffuse == Diffuse(CoupledDiffuse{albedo}));
+    rig.choose("Diffuse", "Metal");
+    CHECK(diffuse == Diffuse(MetalDiffuse{}));
+    rig.choose("Diffuse", "None");
+    CHECK(diffuse == Diffuse(NoDiffuse{}));
+}
+
+TEST_CASE("material: changing the Fresnel model keeps f0 as nearly as the other can have it") {
+    Fresnel fresnel = DielectricFresnel{1.5};
+    PanelRig rig([&] { ui::fresnel_panel(fresnel); });
+    rig.choose("Reflection", "Schlick");
+    REQUIRE(std::holds_alternative<SchlickFresnel>(fresnel));
+    for (int i = 0; i < 3; ++i)
+        CHECK(std::get<SchlickFresnel>(fresnel).f0[i] == doctest::Approx(0.04).epsilon(1e-12));
+    const glm::dvec3 gold(0.95, 0.7, 0.3);
+    fresnel = SchlickFresnel{gold};
+    rig.choose("Reflection", "Conductor");
+    REQUIRE(std::holds_alternative<ConductorFresnel>(fresnel));
+    for (int i = 0; i < 3; ++i)
+        CHECK(normal_reflectance(fresnel)[i] == doctest::Approx(gold[i]).epsilon(1e-9));
+    rig.choose("Reflection", "Dielectric");
+    CHECK(normal_reflectance(fresnel).x == doctest::Approx((gold.x + gold.y + gold.z) / 3).epsilon(1e-3));
+    rig.choose("Reflection", "None");
+    CHECK(fresnel == Fresnel(NoFresnel{}));
 }
 
 TEST_CASE("material: a colour that is not touched keeps all its digits") {
@@ -57,16 +86,16 @@ TEST_CASE("material: conductors and dielectrics have their sliders within the li
 }
 
 TEST_CASE("material: masking") {
-    Shadowing shadowing{.model = ShadowingModel::correlated};
+    Shadowing shadowing{.model = CorrelatedMasking{}};
     double scale = 1;
     PanelRig rig([&] { ui::shadowing_panel(shadowing, scale); });
     rig.enter_number("Correlation", "30");
-    CHECK(shadowing.width == 30);
+    CHECK(std::get<CorrelatedMasking>(shadowing.model).width == 30);
     rig.click("Clamp");
     CHECK(!shadowing.clamp);
     rig.enter_number("Mean cosine", "2");
     CHECK(scale == 2);
-    shadowing.model = ShadowingModel::uncorrelated;
+    shadowing.model = UncorrelatedMasking{};
     rig.frame();
     CHECK(!rig.has("Correlation"));
 }

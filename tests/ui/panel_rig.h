@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "ui/item_map.h"
@@ -117,6 +118,13 @@ class PanelRig {
         key('A', true);
         type(text);
         key(enter);
+        frame();
+    }
+
+    // An entry of a list.
+    void choose(const std::string& list, const std::string& entry) {
+        click(list);
+        click(list + " " + entry);
         frame();
     }
 

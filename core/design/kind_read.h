@@ -1,0 +1,97 @@
+// Reads kinds, and their parameters by the list that each kind gives of them.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "core/design/json_reader.h"
+#include "core/model/kinds/kind.h"
+
+namespace nacre {
+
+// A raster held in the design, or the path of a picture file relative to `base_dir`.
+Picture read_picture(const JsonValue& json, const std::filesystem::path& base_dir);
+
+namespace kind_detail {
+
+// A member that is missing in the file keeps its default.
+template <class T>
+void read_parameter(ObjectReader& reader, T& kind, const NumberParameter<T>& parameter) {
+    double& value = kind.*parameter.member;
+    if (parameter.may_be_infinite)
+        reader.number_or_infinity(parameter.text.key, value, parameter.bounds);
+    else
+        reader.number(parameter.text.key, value, parameter.bounds);
+}
+
+template <class T>
+void read_parameter(ObjectReader& reader, T& kind, const ColourParameter<T>& parameter) {
+    reader.colour(parameter.text.key, kind.*parameter.member, parameter.bounds);
+}
+
+template <class T>
+void read_parameter(ObjectReader& reader, T& kind, const TripleParameter<T>& parameter) {
+    reader.colour(parameter.text.key, kind.*parameter.member, parameter.bounds);
+}
+
+template <class T, class Enum, std::size_t count>
+void read_parameter(ObjectReader& reader, T& kind, const ChoiceParameter<T, Enum, count>& parameter) {
+    Enum& value = kind.*parameter.member;
+    value = static_cast<Enum>(
+        reader.choice(parameter.text.key, parameter.names, static_cast<std::size_t>(value)));
+}
+
+std::vector<std::pair<double, double>> read_curve(const JsonValue& json, Range theta, Range value,
+                                                  int points_max);
+
+template <class T>
+void read_parameter(ObjectReader& reader, T& kind, const CurveParameter<T>& parameter) {
+    if (reader.has(parameter.text.key))
+        kind.*parameter.member = read_curve(reader.at(parameter.text.key), parameter.theta_bounds,
+                                            parameter.value_bounds, parameter.points_max);
+}
+
+// Only that it is there: files are opened when nothing else is wrong.
+template <class T>
+void read_parameter(ObjectReader& reader, T&, const PictureParameter<T>& parameter) {
+    reader.required(parameter.text.key, "a picture's path or a raster");
+}
+
+template <class T, class Parameter>
+void load_picture(const ObjectReader&, T&, const Parameter&, const std::filesystem::path&) {}
+
+template <class T>
+void load_picture(const ObjectReader& reader, T& kind, const PictureParameter<T>& parameter,
+                  const std::filesystem::path& base_dir) {
+    kind.*parameter.member = read_picture(reader.at(parameter.text.key), base_dir);
+}
+
+}  // namespace kind_detail
+
+// The kind that `key` names, the first of the list where it is missing, with its parameters; pictures are
+// left to load_pictures().
+template <class Variant>
+Variant read_kind(ObjectReader& reader, std::string_view key) {
+    Variant value = KindSet<Variant>::made(reader.choice(key, KindSet<Variant>::names, 0));
+    std::visit(
+        [&]<class T>(T& kind) {
+            visit_parameters<T>(
+                [&](const auto& parameter) { kind_detail::read_parameter(reader, kind, parameter); });
+        },
+        value);
+    return value;
+}
+
+// The pictures among the parameters.
+template <class Variant>
+void load_pictures(const ObjectReader& reader, Variant& value, const std::filesystem::path& base_dir) {
+    std::visit(
+        [&]<class T>(T& kind) {
+            visit_parameters<T>(
+                [&](const auto& parameter) { kind_detail::load_picture(reader, kind, parameter, base_dir); });
+        },
+        value);
+}
+
+}  // namespace nacre

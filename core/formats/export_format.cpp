@@ -1,0 +1,58 @@
+#include "core/formats/export_format.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/exchange/atomic_file.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t prefix_most = 64;  // characters
+
+}  // namespace
+
+void ExportWriter::operator()(const fs::path& output) const {
+    if (fill_)
+        fill_(output);
+    else
+        write_file_atomically(output, bytes_);
+}
+
+std::span<const ExportFormat* const> export_formats() {
+    static const std::array formats{
+#define FORMAT(name) &name##_format,
+#include "core/formats/format_list.inc"
+#undef FORMAT
+    };
+    return formats;
+}
+
+std::vector<fs::path> one_file(const Design&, const fs::path& file) { return {file}; }
+
+std::string prefix_problem(std::string_view prefix) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+    const bool sound = !prefix.empty() && prefix.size() <= prefix_most && letter(prefix.front()) &&
+                       std::all_of(prefix.begin(), prefix.end(), allowed);
+    if (!sound)
+        return fmt::format("must be 1 to {} letters a to z, digits and underscores, a letter first",
+                           prefix_most);
+    // GLSL keeps these for itself (GLSL 3.30, 3.7); the underscore that joins prefix and name counts too.
+    if (prefix.starts_with("gl_") || prefix == "gl") return "must not begin with gl_";
+    if (prefix.find("__") != prefix.npos || prefix.back() == '_')
+        return "must hold no two underscores in a row and end in none: one is put after it";
+    return {};
+}
+
+const ExportFormat* export_format(std::string_view name) {
+    for (const ExportFormat* format : export_formats())
+        if (format->name == name) return format;
+    return nullptr;
+}
+
+}  // namespace nacre

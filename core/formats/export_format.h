@@ -1,0 +1,69 @@
+// What a design can be written as for other programs: one file for each, core/formats/NAME.cpp, and its line
+// in format_list.inc, which the command line and the designer read.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/bake/bake.h"
+#include "core/design/design.h"
+
+namespace nacre {
+
+// What was composed, to be written where it is wanted.
+class ExportWriter {
+  public:
+    explicit ExportWriter(std::string bytes) : bytes_(std::move(bytes)) {}
+    explicit ExportWriter(std::function<void(const std::filesystem::path&)> fill) : fill_(std::move(fill)) {}
+
+    // Each file appears whole or not at all; what fails is a UserError about it.
+    void operator()(const std::filesystem::path& output) const;
+
+    // The file, of a format that is one.
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    std::string bytes_;
+    std::function<void(const std::filesystem::path& folder)> fill_;  // of a format that is a folder
+};
+
+struct ExportSettings {
+    BakeOptions bake = {};
+    std::string prefix = "nacre";  // of every name that a file in a shading language defines
+};
+
+struct ExportFormat {
+    std::string_view name;       // as `nacre-cli export --to` takes it
+    std::string_view title;      // as a menu shows it
+    std::string_view about;      // one line
+    std::string_view extension;  // of its file; empty: it is a folder
+    bool has_names;              // it defines names, which begin with ExportSettings::prefix
+    // Every file that it may write.
+    std::vector<std::filesystem::path> (*files)(const Design& design, const std::filesystem::path& output);
+    // Bakes, measures and composes what writes it. Throws what bake() throws.
+    ExportWriter (*prepare)(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
+                            const std::function<void(double)>& progress);
+};
+
+std::span<const ExportFormat* const> export_formats();
+
+#define FORMAT(name) extern const ExportFormat name##_format;
+#include "core/formats/format_list.inc"
+#undef FORMAT
+
+// `files` of a format that is one file.
+std::vector<std::filesystem::path> one_file(const Design& design, const std::filesystem::path& file);
+
+// What is wrong with a prefix of names, or nothing: letters, digits and single underscores, a letter first.
+std::string prefix_problem(std::string_view prefix);
+
+// Null for a name that is none.
+const ExportFormat* export_format(std::string_view name);
+
+}  // namespace nacre

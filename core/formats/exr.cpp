@@ -1,0 +1,37 @@
+// Tables as EXR pictures with a manifest.
+#include "core/exchange/table_files.h"
+#include "core/formats/export_format.h"
+#include "core/measure/reference.h"
+#include "core/measure/table_error.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+ExportWriter prepare(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
+                     const std::function<void(double)>& progress) {
+    BakeOptions options = settings.bake;
+    options.albedo = true;
+    const auto tables = bake(design, options, stop, progress);
+    const TableErrors errors = measure_table_errors(*tables, Reference(design), stop);
+    return ExportWriter([design, tables, errors](const fs::path& folder) {
+        write_table_files(folder, design, *tables, errors);
+    });
+}
+
+std::vector<fs::path> files(const Design& design, const fs::path& folder) {
+    return table_files(folder, design);
+}
+
+}  // namespace
+
+const ExportFormat exr_format{.name = "exr",
+                              .title = "Tables as EXR pictures",
+                              .about = "a folder of tables as EXR pictures, with manifest.json",
+                              .extension = "",
+                              .has_names = false,
+                              .files = files,
+                              .prepare = prepare};
+
+}  // namespace nacre

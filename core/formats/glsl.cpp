@@ -1,0 +1,24 @@
+// A GLSL function with the tables as constants.
+#include "core/exchange/glsl_export.h"
+#include "core/formats/export_format.h"
+
+namespace nacre {
+namespace {
+
+ExportWriter prepare(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
+                     const std::function<void(double)>& progress) {
+    return ExportWriter(glsl_export(design, *bake(design, settings.bake, stop, progress), settings.prefix));
+}
+
+}  // namespace
+
+const ExportFormat glsl_format{
+    .name = "glsl",
+    .title = "GLSL function",
+    .about = "one file with the function nacre_brdf(k1, k2) and its tables as constants",
+    .extension = ".glsl",
+    .has_names = true,
+    .files = one_file,
+    .prepare = prepare};
+
+}  // namespace nacre

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <tuple>
+
+#include "core/model/fresnel/shader_fresnel.h"
+#include "core/model/kinds/parameter.h"
+#include "core/model/limits.h"
+
+namespace nacre {
+
+// Fresnel's equations for a conductor of index eta + i k, from air (Born & Wolf, sec. 14.2).
+struct ConductorFresnel {
+    glm::dvec3 eta{0.2, 0.92, 1.1};
+    glm::dvec3 k{3.9, 2.45, 2.14};
+    bool operator==(const ConductorFresnel&) const = default;
+
+    static constexpr const char* name = "conductor";
+    static constexpr const char* label = "Conductor";
+    static constexpr const char* explanation = "A metal by measured eta and k, by Fresnel's exact equations.";
+    static constexpr const char* note = "";
+    static constexpr auto parameters() {
+        return std::tuple{
+            TripleParameter<ConductorFresnel>{
+                .member = &ConductorFresnel::eta,
+                .text = {"eta", "eta",
+                         "Real part of the index of refraction eta + i k for red, green and blue. Straight "
+                         "on a facet mirrors ((eta \u2212 1)\u00b2 + k\u00b2)/((eta + 1)\u00b2 + k\u00b2)."},
+                .bounds = {limits::eta_min, limits::eta_max},
+                .slider = {.ends = {0.05, 10}, .format = "%.3g", .logarithmic = true}},
+            TripleParameter<ConductorFresnel>{
+                .member = &ConductorFresnel::k,
+                .text = {"k", "k",
+                         "Imaginary part, the absorption, for red, green and blue: the larger, the more "
+                         "mirror-like. ((eta \u2212 1)\u00b2 + k\u00b2)/((eta + 1)\u00b2 + k\u00b2) "
+                         "straight on."},
+                .bounds = {0, limits::k_max},
+                .slider = {.ends = {0, 10}, .format = "%.3g"}}};
+    }
+
+    static constexpr FresnelTables tables = FresnelTables::exact;
+    ShaderFresnel shader() const { return {eta, k}; }
+
+    // Gulbrandsen 2014 with an edge tint of one half; keeps f0 within 0.01 to 0.99.
+    static ConductorFresnel of_normal_reflectance(glm::dvec3 f0) {
+        ConductorFresnel conductor;
+        for (int i = 0; i < 3; ++i) {
+            const double r = std::clamp(f0[i], 0.01, 0.99);
+            const double root = std::sqrt(r);
+            const double eta = 0.5 * (1 - r) / (1 + r) + 0.5 * (1 + root) / (1 - root);
+            const double k2 = (r * (eta + 1) * (eta + 1) - (eta - 1) * (eta - 1)) / (1 - r);
+            conductor.eta[i] = std::clamp(eta, limits::eta_min, limits::eta_max);
+            conductor.k[i] = std::clamp(std::sqrt(std::max(k2, 0.0)), 0.0, limits::k_max);
+        }
+        return conductor;
+    }
+};
+
+}  // namespace nacre

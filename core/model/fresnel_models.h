@@ -1,0 +1,36 @@
+// F(k.h), how much a facet reflects. To add a model: core/model/fresnel/NAME.h, shaders/fresnel/NAME.glsl and
+// a line in core/model/kinds.cmake.
+#pragma once
+
+#include <concepts>
+#include <variant>
+
+#include "core/model/fresnel_list.h"
+#include "core/model/kinds/kind.h"
+
+namespace nacre {
+
+// Besides what every kind has:
+//
+//   tables                   which tables of R it needs
+//   shader()                 the numbers that NAME_fresnel() of shaders/fresnel/NAME.glsl reads
+//   of_normal_reflectance()  the model with this f0, as nearly as it can have it
+//   note                     what the window says of it where it has no parameter
+template <class T>
+concept FresnelModel = Kind<T> && requires(const T model, glm::dvec3 f0) {
+    { T::tables } -> std::convertible_to<FresnelTables>;
+    { model.shader() } -> std::same_as<ShaderFresnel>;
+    { T::of_normal_reflectance(f0) } -> std::same_as<T>;
+    { T::note } -> std::convertible_to<const char*>;
+};
+
+template <FresnelModel... T>
+using FresnelModels = std::variant<T...>;
+
+using Fresnel = FresnelModels<NACRE_FRESNEL>;
+
+inline FresnelTables fresnel_tables(const Fresnel& fresnel) {
+    return std::visit([]<class T>(const T&) { return T::tables; }, fresnel);
+}
+
+}  // namespace nacre

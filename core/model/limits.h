@@ -1,0 +1,30 @@
+// Bounds that the file, the panels and the bake agree on.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace nacre::limits {
+
+inline constexpr double width_min = 1e-5;  // sigma and alpha, slopes
+inline constexpr double width_max = 1e5;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double weight_max = 1e30;
+inline constexpr double mean_cosine_scale_min = 1e-3;
+inline constexpr double mean_cosine_scale_max = 100;
+inline constexpr double tilt_max = 180;         // degrees
+inline constexpr double angle_max = 360;        // degrees, either sign: azimuth, rotation
+inline constexpr double correlation_min = 0.1;  // degrees
+inline constexpr double correlation_max = 180;
+inline constexpr double ior_min = 1;
+inline constexpr double ior_max = 10;
+inline constexpr double eta_min = 1e-3;
+inline constexpr double eta_max = 100;
+inline constexpr double k_max = 100;
+inline constexpr int layers_max = 16;
+inline constexpr int curve_points_max = 256;
+inline constexpr int raster_max = 1024;   // pixels a side, as the bake uses it
+inline constexpr int picture_max = 4096;  // pixels a side, as a file may have; averaged down
+inline constexpr std::uintmax_t file_bytes_max = 256u << 20;  // of a design or a picture
+
+}  // namespace nacre::limits

@@ -1,0 +1,11 @@
+// What the BRDF knows of one direction: its projected area and its albedo.
+struct Direction {
+    real3 k;
+    real g;    // eq. 18
+    real3 R;   // eq. 29; 0 when no diffuse term reads it
+};
+
+// a/b of a, b >= 0, and the largest number where that is greater or b is 0; 0/b is 0 for every b.
+PURE real bounded_quotient(real a, real b) {
+    return select(a < b * LARGEST, a / b, select(a > real(0.0), real(LARGEST), real(0.0)));
+}

@@ -1,0 +1,88 @@
+#!/bin/bash
+# kinds.sh SOURCE FOLDER: a kind is one file (two with GLSL) and one line in a list. In a copy of the tree a lobe, a
+# Fresnel, a masking and a diffuse model, a verb and an export format are added just so; all of it must build, and
+# each work in whatever follows from the lists: files, checks, fields, bake, preview against core, manifest, exports.
+set -euo pipefail
+source=$(realpath "$1") folder=$2
+more=$source/tests/kinds/more
+tree=$folder/tree
+rm -rf "$tree"
+mkdir -p "$tree"
+tree=$(realpath "$tree")
+(cd "$source" && git ls-files --cached --others --exclude-standard -z | xargs -0 -I{} sh -c '[ ! -e "$1" ] || printf "%s\0" "$1"' sh {} |
+    tar --null --files-from=- --create) | tar --extract --directory "$tree"
+
+# add FILE TO
+add() {
+    cp "$more/$1" "$tree/$2"
+    echo "    $2"
+}
+# line LIST TEXT
+line() {
+    echo "$2" >>"$tree/$1"
+    echo "    $1: $2"
+}
+# model SET NAME STRUCT
+model() {
+    echo "$1 $2:"
+    add "$2.h" "core/model/$1/$2.h"
+    add "$2.glsl" "shaders/$1/$2.glsl"
+    line core/model/kinds.cmake "nacre_kind($1 $2 $3)"
+}
+echo 'files and lines for each kind:'
+model lobes dome DomeLobe
+model fresnel tinted TintedFresnel
+model masking halved HalvedMasking
+model diffuse evenly EvenDiffuse
+echo 'verb count:'
+add count_verb.cpp app/cli/count_verb.cpp
+line app/cli/verb_list.inc 'VERB(count)'
+echo 'format constants:'
+add constants.cpp core/formats/constants.cpp
+line core/formats/format_list.inc 'FORMAT(constants)'
+
+cd "$tree"
+export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
+cmake --preset release -DNACRE_TESTS=ON -DNACRE_BENCH=OFF >/dev/null
+cmake --build --preset release --target nacre-cli nacre-test-core nacre-test-ui nacre-test-gl nacre-test-designer
+
+cat >design.nacre <<'D'
+{
+  "nacre": 1,
+  "name": "More kinds",
+  "distribution": {"layers": [
+    {"lobe": "dome", "strength": 0.25},
+    {"lobe": "ggx", "alpha_x": 0.1, "alpha_y": 0.3, "weight": 0.5}]},
+  "shadowing": {"model": "halved"},
+  "fresnel": {"model": "tinted", "tint": [0.9, 0.5, 0.1]},
+  "diffuse": {"model": "evenly", "albedo": [0.1, 0.2, 0.9]}
+}
+D
+bin=build/release
+has() { grep -q -- "$2" "$1" || { echo "no $2 in $1:"; cat "$1"; exit 1; }; }
+refused() { ! $bin/nacre-cli info wrong.nacre 2>wrong.txt && has wrong.txt "$1"; }
+sed 's/0.25/2/' design.nacre >wrong.nacre && refused 'strength: must be a number from 0 to 1'
+sed 's/"strength"/"power"/' design.nacre >wrong.nacre && refused 'power'
+$bin/nacre-cli info design.nacre >info.txt
+for word in dome 'shadowing halved' 'fresnel tinted' 'diffuse evenly'; do has info.txt "$word"; done
+$bin/nacre-cli check design.nacre
+$bin/nacre-cli bake design.nacre -o tables
+for word in '"dome"' '1 - i + i z' '"tinted"' '"tint"' 'N/(G1 G2)/2' 'specular/2'; do has tables/manifest.json "$word"; done
+$bin/nacre-cli export design.nacre --to glsl -o brdf.glsl
+{ echo '#version 330 core'; cat brdf.glsl; echo 'out vec4 c; void main() { c = vec4(nacre_brdf(vec3(0, 0, 1), vec3(0, 0, 1)), 1); }'; } >brdf.frag
+glslangValidator brdf.frag
+$bin/nacre-cli export design.nacre --to constants -o constants.txt
+has constants.txt '^N '
+$bin/nacre-cli count design.nacre | grep -qx 2
+$bin/nacre-cli render design.nacre -o picture.png --size 64
+# What follows from the lists: random designs through the file, the panels, GLSL of every kind, preview against core.
+# tests PROGRAM FILTER: a filter that matches nothing fails.
+tests() {
+    "$bin/nacre-test-$1" "$2" >tests.txt || { cat tests.txt; exit 1; }
+    ! grep -qE 'test cases: +0 ' tests.txt || { echo "$1 $2: no test"; exit 1; }
+}
+tests core '-tc=design: random designs*,hostile design*'
+tests ui '-tc=material: *,lobes: *'
+tests gl '-ts=parity,variants'
+tests designer '-tc=tooltips: each kind of lobe'
+echo 'kinds: all work'

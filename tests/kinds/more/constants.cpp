@@ -1,0 +1,26 @@
+// N and g(n), as text.
+#include <fmt/core.h>
+
+#include "core/formats/export_format.h"
+
+namespace nacre {
+namespace {
+
+ExportWriter prepare(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
+                     const std::function<void(double)>& progress) {
+    const auto tables = bake(design, settings.bake, stop, progress);
+    const auto& surface = tables->shading.surface;
+    return ExportWriter(fmt::format("N {}\ng {}\n", surface.N, surface.tables.g_normal));
+}
+
+}  // namespace
+
+const ExportFormat constants_format{.name = "constants",
+                                    .title = "Constants",
+                                    .about = "N and g(n), as text",
+                                    .extension = ".txt",
+                                    .has_names = false,
+                                    .files = one_file,
+                                    .prepare = prepare};
+
+}  // namespace nacre

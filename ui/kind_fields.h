@@ -1,0 +1,102 @@
+// The fields of a kind's parameters, by the list that the kind gives of them, and the list of the kinds there
+// are.
+#pragma once
+
+#include <string>
+
+#include "core/model/kinds/kind.h"
+#include "ui/curve_editor.h"
+#include "ui/picture_row.h"
+#include "ui/widgets.h"
+
+namespace nacre::ui {
+
+namespace kind_detail {
+
+inline SliderSpec slider_spec(const ParameterText& text, Range bounds, const SliderScale& scale) {
+    return {.label = text.label,
+            .low = scale.ends.low,
+            .high = scale.ends.high,
+            .least = bounds.low,
+            .most = bounds.high,
+            .reset = 0,
+            .format = scale.format,
+            .logarithmic = scale.logarithmic,
+            .tooltip = text.tooltip};
+}
+
+// Each returns whether the parameter changed. Only curves need `curve`.
+template <class T>
+bool parameter_field(T& kind, const NumberParameter<T>& parameter, CurveView*) {
+    SliderSpec spec = slider_spec(parameter.text, parameter.bounds, parameter.slider);
+    spec.reset = T{}.*parameter.member;
+    double& value = kind.*parameter.member;
+    const bool changed = parameter.may_be_infinite ? slider_or_infinity(spec, value) : slider(spec, value);
+    if constexpr (requires { kind.make_room(parameter.member); })
+        if (changed) kind.make_room(parameter.member);
+    return changed;
+}
+
+template <class T>
+bool parameter_field(T& kind, const ColourParameter<T>& parameter, CurveView*) {
+    return colour(parameter.text.label, kind.*parameter.member, T{}.*parameter.member,
+                  parameter.text.tooltip);
+}
+
+template <class T>
+bool parameter_field(T& kind, const TripleParameter<T>& parameter, CurveView*) {
+    return slider(slider_spec(parameter.text, parameter.bounds, parameter.slider), kind.*parameter.member,
+                  T{}.*parameter.member);
+}
+
+template <class T, class Enum, std::size_t count>
+bool parameter_field(T& kind, const ChoiceParameter<T, Enum, count>& parameter, CurveView*) {
+    int index = static_cast<int>(kind.*parameter.member);
+    const bool changed = combo(parameter.text.label, index, parameter.labels, parameter.text.tooltip);
+    if (changed) kind.*parameter.member = static_cast<Enum>(index);
+    return changed;
+}
+
+template <class T>
+bool parameter_field(T& kind, const CurveParameter<T>&, CurveView* curve) {
+    return curve && curve_editor(*curve, kind);
+}
+
+template <class T>
+bool parameter_field(T& kind, const PictureParameter<T>& parameter, CurveView*) {
+    picture_row(parameter.text.label, kind.*parameter.member);
+    return false;
+}
+
+}  // namespace kind_detail
+
+// Returns whether a parameter changed.
+template <class Variant>
+bool kind_fields(Variant& value, CurveView* curve = nullptr) {
+    bool changed = false;
+    std::visit(
+        [&]<class T>(T& kind) {
+            visit_parameters<T>([&](const auto& parameter) {
+                changed |= kind_detail::parameter_field(kind, parameter, curve);
+            });
+            if constexpr (requires { T::note; })
+                if (T::note[0] != '\0') dim_text(T::note);
+        },
+        value);
+    return changed;
+}
+
+// The list of the kinds there are; its tooltip is `about` and what the chosen kind says of itself.
+// `convert.template operator()<T>()` makes the kind that is chosen of the one before.
+template <class Variant, class Convert>
+bool kind_combo(const char* label, Variant& value, const std::string& about, const Convert& convert) {
+    using Set = KindSet<Variant>;
+    int index = static_cast<int>(value.index());
+    const std::string tooltip =
+        about + (about.empty() ? "" : "\n") + kind_label(value) + ": " + Set::explanations[value.index()];
+    if (!combo(label, index, Set::labels, tooltip.c_str(), Set::explanations)) return false;
+    value = KindSet<Variant>::made_by(static_cast<std::size_t>(index), convert);
+    return true;
+}
+
+}  // namespace nacre::ui

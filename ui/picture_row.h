@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/model/raster.h"
+
+namespace nacre::ui {
+
+// "in the design, 256 x 256", or the file's name in place of the first part.
+std::string picture_text(const Picture& picture);
+
+void picture_row(const char* label, const Picture& picture);
+
+}  // namespace nacre::ui
