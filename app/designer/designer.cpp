@@ -235,7 +235,7 @@ Designer::Designer(const DesignerOptions& given)
     : options(given),
       settings(options.folders.config),
       recent(options.folders.state),
-      autosave(autosave_folder(options.folders)),
+      autosave(autosave_folder(options.folders), options.autosave_bytes),
       recovery(autosave_folder(options.folders)),
       baker(options.bake_threads, options.wake),
       comparison(options.bake_threads, options.wake),
