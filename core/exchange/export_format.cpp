@@ -44,7 +44,7 @@ std::vector<fs::path> one_file(const Design&, const fs::path& file) { return {fi
 constexpr ExportFormat formats[] = {
     {"exr", "Tables as EXR pictures", "a folder of tables as EXR pictures, with manifest.json", "", false,
      exr_files, prepare_exr},
-    {"glsl", "GLSL function", "one file with the function nacre_brdf(k1, k2) and its tables as constants",
+    {"glsl", "GLSL function", "one file with the function {prefix}_brdf(k1, k2) and its tables as constants",
      ".glsl", true, one_file, prepare_glsl},
 };
 
@@ -58,6 +58,10 @@ void ExportWriter::operator()(const fs::path& output) const {
 }
 
 std::span<const ExportFormat> export_formats() { return formats; }
+
+std::string about(const ExportFormat& format, std::string_view prefix) {
+    return fmt::format(fmt::runtime(format.about), fmt::arg("prefix", prefix));
+}
 
 std::string prefix_problem(std::string_view prefix) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
