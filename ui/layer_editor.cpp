@@ -49,6 +49,18 @@ SliderSpec angle_spec(const char* label, double low, double high, double most, c
             .tooltip = tooltip};
 }
 
+std::string picture_text(const Picture& picture) {
+    const std::string where = picture.file.empty() ? "in the design" : picture.file.filename().string();
+    if (!picture.raster) return where;
+    return where + ", " + std::to_string(picture.raster->width) + " \u00d7 " +
+           std::to_string(picture.raster->height);
+}
+
+void picture_rows(const Picture& picture) {
+    text_row("Picture", picture_text(picture));
+    notes_row(picture.notes);
+}
+
 // One function per lobe; std::visit calls the one that fits.
 struct LobeFields {
     CurveView& curve;
@@ -79,7 +91,7 @@ struct LobeFields {
     }
     bool operator()(CurveLobe& lobe) const { return curve_editor(curve, lobe); }
     bool operator()(PaintedLobe& lobe) const {
-        text_row("Picture", picture_text(lobe.image));
+        picture_rows(lobe.image);
         return false;
     }
 
@@ -124,7 +136,7 @@ bool modulation(Layer& layer) {
     if (!layer.modulation) return false;
     ImGui::Spacing();
     heading("Modulated by a picture");
-    text_row("Picture", picture_text(layer.modulation->image));
+    picture_rows(layer.modulation->image);
     bool changed = slider(
         {.label = "Strength",
          .low = 0,
@@ -146,13 +158,6 @@ bool modulation(Layer& layer) {
 }
 
 }  // namespace
-
-std::string picture_text(const Picture& picture) {
-    const std::string where = picture.file.empty() ? "in the design" : picture.file.filename().string();
-    if (!picture.raster) return where;
-    return where + ", " + std::to_string(picture.raster->width) + " \u00d7 " +
-           std::to_string(picture.raster->height);
-}
 
 bool layer_editor(Layer& layer, CurveView& curve) {
     bool changed = text_field("Name##Layer name", layer.name, lobe_names()[layer.lobe.index()],

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/design/utf8.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
@@ -192,6 +193,13 @@ void dim_text(const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
+}
+
+void notes_row(std::span<const std::string> notes) {
+    for (const std::string& note : notes) {
+        dim_text(as_utf8(note));
+        note_item(note);
+    }
 }
 
 }  // namespace nacre::ui

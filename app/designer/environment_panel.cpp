@@ -97,7 +97,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
         }
     }
     if (!surroundings.picture) return;
-    for (const std::string& note : surroundings.picture->notes) ui::dim_text(note);
+    ui::notes_row(surroundings.picture->notes);
     const Surroundings usual;
     ui::slider(
         {.label = "Turn##Environment turn",
