@@ -138,8 +138,8 @@ void draw_preview(Designer& designer) {
 std::string warning(const Designer& designer) {
     if (!designer.autosave.problem().empty())
         return "Unsaved work cannot be kept: " + designer.autosave.problem();
-    if (!designer.settings.problem().empty()) return designer.settings.problem();
-    return designer.recent.problem();
+    if (!designer.settings.problem().empty()) return "Settings: " + designer.settings.problem();
+    return designer.recent.problem().empty() ? "" : "Recent files: " + designer.recent.problem();
 }
 
 void draw_status(Designer& designer) {

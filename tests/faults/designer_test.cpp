@@ -145,4 +145,13 @@ TEST_CASE("faults: unsaved work, settings and recent files that cannot be kept a
     r.designer().recent.note("/a.nacre");
     CHECK(end_fault());
     check_line(r.designer().recent.problem(), home / "state/recent.json", EDQUOT);
+    const auto warning = [&] {
+        r.play("move \"Said last\"\nframes 40");
+        return r.stage.items().tooltip();
+    };
+    CHECK(warning() == "Unsaved work cannot be kept: " + autosave);
+    r.document().design.name = "Edited again";
+    r.play("frames 2");
+    r.designer().autosave.wait();
+    CHECK(warning() == "Settings: " + r.designer().settings.problem());
 }
