@@ -8,7 +8,7 @@ std::span<const Verb> verbs() {
         {"eval", "the BRDF of pairs of directions read from standard input", declare_eval},
         {"tables", "g, P, R0 and R1 of directions read from standard input", declare_tables},
         {"bake", "bake a design and write its tables with their manifest", declare_bake},
-        {"render", "the design on a sphere, as a picture", declare_render},
+        {"render", "the design on an object, as a picture", declare_render},
         {"plot", "R, P, p, F, the lobe or the slice of a design, as SVG or CSV", declare_plot},
         {"screenshot", "the designer's window, as a picture", declare_screenshot},
         {"check",
