@@ -97,17 +97,20 @@ void whole_number(const char* name, const char* format, const WholeRange& range,
     if (bar(spec, breadth, value)) number = static_cast<int>(std::lround(value));
 }
 
-void choice(const char* name, int& index, const std::vector<const char*>& names, float breadth,
+void choice(const char* name, int& index, const std::vector<std::string>& names, float breadth,
             const char* text) {
     ImGui::SetNextItemWidth(breadth);
-    const bool open =
-        ImGui::BeginCombo(("##" + std::string(name)).c_str(), names[static_cast<std::size_t>(index)]);
+    const bool open = ImGui::BeginCombo(("##" + std::string(name)).c_str(),
+                                        as_label(names[static_cast<std::size_t>(index)]).c_str());
     note_item(name);
     tooltip_for_item(text);
     if (!open) return;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (ImGui::Selectable(names[i], static_cast<int>(i) == index)) index = static_cast<int>(i);
-        note_item(std::string(name) + " " + names[i]);
+        const std::string label = as_label(names[i]);
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(label.c_str(), static_cast<int>(i) == index)) index = static_cast<int>(i);
+        ImGui::PopID();
+        note_item(std::string(name) + " " + label);
     }
     ImGui::EndCombo();
 }
@@ -115,8 +118,8 @@ void choice(const char* name, int& index, const std::vector<const char*>& names,
 // The middle of the row: what only this tool has in place of a hard edge.
 void tool_number(CanvasState& state, float breadth) {
     if (state.tool == CanvasTool::stamp) {
-        std::vector<const char*> names;
-        for (const NamedStamp& stamp : state.stamps) names.push_back(stamp.name.c_str());
+        std::vector<std::string> names;
+        for (const NamedStamp& stamp : state.stamps) names.push_back(stamp.name);
         int index = static_cast<int>(state.stamp);
         choice("Stamp picture", index, names, breadth, "The picture to stamp with: white paints.");
         state.stamp = static_cast<std::size_t>(index);

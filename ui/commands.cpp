@@ -80,7 +80,7 @@ void recent_menu(const MenuState& state, std::optional<Order>& chosen) {
     for (std::size_t i = 0; i < state.recent.size(); ++i) {
         const std::string& path = state.recent[i];
         ImGui::PushID(static_cast<int>(i));
-        const std::string name = as_utf8(path.substr(path.rfind('/') + 1));
+        const std::string name = as_label(path.substr(path.rfind('/') + 1));
         if (ImGui::MenuItem(name.c_str())) chosen = Order(Command::open_recent, i);
         ImGui::PopID();
         note_item("Recent " + std::to_string(i + 1));

@@ -88,16 +88,19 @@ void side_row(const char* label, int& side, std::span<const SideChoice> choices)
     row_label(label, nullptr);
     ImGui::SetNextItemWidth(-FLT_MIN);
     const std::string hidden = std::string("##") + label;
-    const bool open = ImGui::BeginCombo(hidden.c_str(), shown.label.c_str(), ImGuiComboFlags_HeightLarge);
+    const bool open =
+        ImGui::BeginCombo(hidden.c_str(), as_label(shown.label).c_str(), ImGuiComboFlags_HeightLarge);
     note_item(label);
     tooltip_for_item(shown.about.c_str());
     if (!open) return;
     for (const SideChoice& choice : choices) {
         ImGui::BeginDisabled(!choice.possible);
-        if (ImGui::Selectable((choice.label + "##" + std::to_string(choice.id)).c_str(), choice.id == side))
-            side = choice.id;
+        const std::string text = as_label(choice.label);
+        ImGui::PushID(choice.id);
+        if (ImGui::Selectable(text.c_str(), choice.id == side)) side = choice.id;
+        ImGui::PopID();
         ImGui::EndDisabled();
-        note_item(choice.label);
+        note_item(text);
         tooltip_for_item(choice.about.c_str());
     }
     ImGui::EndCombo();

@@ -72,9 +72,12 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     if (!begin_dialog("Export", 30)) return DialogAnswer::none;
     format_list(dialog);
     ImGui::Spacing();
+    const ExportChoice& format = dialog.formats[dialog.chosen];
+    const bool sound = !format.has_names || dialog.prefix_problem.empty();
+    const std::string reason = "The prefix " + dialog.prefix_problem + ".";
     const float size = ImGui::GetFontSize();
     ImGui::BeginChild("about", ImVec2(0, 2.6f * size));
-    dim_text(dialog.formats[dialog.chosen].about);
+    dim_text(sound ? format.about : reason);
     ImGui::EndChild();
     options(dialog);
     ImGui::Spacing();
@@ -82,8 +85,6 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2 * width - ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
     DialogAnswer answer = DialogAnswer::none;
-    const bool sound = !dialog.formats[dialog.chosen].has_names || dialog.prefix_problem.empty();
-    const std::string reason = "The prefix " + dialog.prefix_problem + ".";
     if (button("Choose file\u2026##Choose export file", sound ? "Where it goes." : reason.c_str(), sound,
                width))
         answer = DialogAnswer::accepted;

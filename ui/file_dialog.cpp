@@ -56,7 +56,7 @@ bool entry_list(FileDialog& dialog, const ListDirectory& list) {
                            ImGui::GetStyle().ItemSpacing.y);
     ImGui::BeginChild("entries", ImVec2(0, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     for (const DirectoryEntry& entry : dialog.listing.entries) {
-        const std::string label = as_utf8(entry.name) + (entry.is_directory ? "/" : "");
+        const std::string label = as_label(entry.name) + (entry.is_directory ? "/" : "");
         if (entry.is_directory) ImGui::PushStyleColor(ImGuiCol_Text, palette::accent_bright);
         const bool pressed =
             ImGui::Selectable(label.c_str(), dialog.path == entry.name,

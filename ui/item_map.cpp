@@ -1,7 +1,11 @@
 #include "ui/item_map.h"
 
+#include "core/design/utf8.h"
+
 namespace nacre::ui {
 namespace {
+
+constexpr std::string_view word_joiner = "\u2060";
 
 ItemMap* listener() { return static_cast<ItemMap*>(ImGui::GetIO().UserData); }
 
@@ -42,10 +46,24 @@ std::string_view item_name(std::string_view label) {
     return mark == std::string_view::npos ? label : label.substr(mark + 2);
 }
 
+std::string as_label(std::string_view text) {
+    std::string label;
+    for (const char c : as_utf8(text)) {
+        label += c;
+        if (c == '#') label += word_joiner;
+    }
+    return label;
+}
+
 void note_item(std::string_view label) { note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
 
 void note_part(std::string_view label, ImVec2 low, ImVec2 high) {
-    if (auto* map = listener()) map->note(item_name(label), low, high);
+    auto* map = listener();
+    if (map == nullptr) return;
+    std::string name(item_name(label));
+    for (std::size_t at = 0; (at = name.find(word_joiner, at)) != std::string::npos;)
+        name.erase(at, word_joiner.size());
+    map->note(name, low, high);
 }
 
 void note_tooltip(std::string_view text) {

@@ -37,7 +37,11 @@ class ItemMap {
 std::string_view visible_text(std::string_view label);
 std::string_view item_name(std::string_view label);
 
-// Reports the last drawn widget under its label, if somebody listens.
+// What a user called something, as a label that shows it whole: Dear ImGui hides what follows "##", so a word
+// joiner, which has no form of its own, stands behind each #. Bytes that are not UTF-8 are replaced.
+std::string as_label(std::string_view text);
+
+// Reports the last drawn widget under its label, if somebody listens; one of as_label() under the text.
 void note_item(std::string_view label);
 
 // The same for a part of a widget that has a name of its own.

@@ -11,6 +11,9 @@ std::string picture_text(const Picture& picture) {
            std::to_string(picture.raster->height);
 }
 
-void picture_row(const char* label, const Picture& picture) { text_row(label, picture_text(picture)); }
+void picture_row(const char* label, const Picture& picture) {
+    text_row(label, picture_text(picture));
+    notes_row(picture.notes);
+}
 
 }  // namespace nacre::ui

@@ -19,7 +19,7 @@ bool tile(const PresetTile& shown, float breadth, bool chosen) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const bool clicked =
         ImGui::InvisibleButton("tile", ImVec2(breadth, picture + name_lines * line + 3 * pad));
-    note_item("Preset " + shown.name);
+    note_item("Preset " + as_label(shown.name));
     tooltip_for_item(("Begin a new design as \u201c" + shown.name + "\u201d.").c_str());
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -68,7 +68,7 @@ std::optional<RecoveryAnswer> recovery_dialog(const std::vector<RecoveryRow>& ro
                                               const std::string& problem) {
     if (!begin_dialog("Unsaved work was found", 34)) return std::nullopt;
     chosen = std::min(chosen, rows.size() - 1);
-    ImGui::TextWrapped("Nacre ended before this was saved. It was kept up to the last stroke.");
+    ImGui::TextWrapped("Nacre ended before this was saved. This is what it wrote last of each work.");
     ImGui::Spacing();
     row_list(rows, chosen);
     ImGui::PushStyleColor(ImGuiCol_Text, palette::red);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/design/utf8.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
@@ -17,6 +18,24 @@ namespace {
 constexpr float label_ems = 8.4f;       // breadth of the label column in text sizes
 constexpr float tooltip_ems = 25;       // breadth of a tooltip's text
 constexpr float tooltip_delay = 0.45f;  // seconds of rest before a field explains itself
+
+// Broken at blanks alone: Dear ImGui would break a number at its decimal point.
+std::string broken_at_blanks(const std::string& text, float breadth) {
+    std::string broken;
+    std::size_t line = 0;  // where the last one begins
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at + 1), text.size());
+        const std::string word = text.substr(at, end - at);
+        const bool fits = ImGui::CalcTextSize((broken.substr(line) + word).c_str()).x <= breadth;
+        if (!fits && broken.size() > line) {
+            broken += '\n';
+            line = broken.size();
+        }
+        broken += word.substr(broken.size() == line && word.front() == ' ' ? 1 : 0);
+        at = end;
+    }
+    return broken;
+}
 
 std::string hidden(const char* label) { return "##" + std::string(item_name(label)); }
 
@@ -203,6 +222,13 @@ void dim_text(const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
+}
+
+void notes_row(std::span<const std::string> notes) {
+    for (const std::string& note : notes) {
+        dim_text(broken_at_blanks(as_utf8(note), ImGui::GetContentRegionAvail().x));
+        note_item(note);
+    }
 }
 
 }  // namespace nacre::ui

@@ -46,6 +46,8 @@ void heading(const char* text);
 bool section(const char* label);
 void text_row(const char* label, const std::string& text);
 void dim_text(const std::string& text);
+// What is to be said of something that was read, one below the other over the whole breadth.
+void notes_row(std::span<const std::string> notes);
 
 // Draws the label column and leaves the cursor and the item width at the field. Returns whether a double
 // click on the label asks for the default.

@@ -22,10 +22,10 @@ struct ExportOptions {
     ExportSettings settings = {};
 };
 
-std::string list_of_formats() {
+std::string list_of_formats(const std::string& prefix) {
     std::string text;
     for (const ExportFormat* format : export_formats())
-        text += fmt::format("{:<6} {}\n", format->name, format->about);
+        text += fmt::format("{:<6} {}\n", format->name, about(*format, prefix));
     return text;
 }
 
@@ -37,7 +37,7 @@ std::vector<std::string> format_names() {
 
 int export_design(const ExportOptions& options, Interrupt& interrupt) {
     if (options.list) {
-        write_output(list_of_formats());
+        write_output(list_of_formats(options.settings.prefix));
         return 0;
     }
     const ExportFormat* format = export_format(options.format);

@@ -81,6 +81,6 @@ void declare(Command& command, Action& action) {
 
 }  // namespace
 
-const Verb render_verb{"render", "the design on a sphere, as a picture", declare};
+const Verb render_verb{"render", "the design on an object, as a picture", declare};
 
 }  // namespace nacre::cli

@@ -101,15 +101,14 @@ HeldFiles held_by(const Document& document) {
 
 }  // namespace
 
-void write_autosave(const UnsavedWork& work, const fs::path& file) {
+void write_autosave(const UnsavedWork& work, const fs::path& file, std::uintmax_t bytes_max) {
     std::string text =
         design_json(with_pictures_held(work.design, picture_files(work.design)), file.parent_path());
     text.insert(0, head_text(work));
-    if (text.size() > autosave_bytes_max)
-        throw UserError(
-            file.string(), "write",
-            fmt::format("the work is larger than the {} bytes that can be restored", autosave_bytes_max),
-            fmt::format("{} bytes", text.size()));
+    if (text.size() > bytes_max)
+        throw UserError(file.string(), "write",
+                        fmt::format("the work is larger than the {} bytes that can be restored", bytes_max),
+                        fmt::format("{} bytes", text.size()));
     write_file_atomically(file, text);
 }
 
@@ -133,8 +132,9 @@ UnsavedWork parse_autosave(const std::string& text, const fs::path& file) {
     return {std::move(design), std::move(head.file), std::move(head.held)};
 }
 
-Autosave::Autosave(fs::path folder)
+Autosave::Autosave(fs::path folder, std::uintmax_t bytes_max)
     : folder_(std::move(folder)),
+      bytes_max_(bytes_max),
       job_([this](const Wanted& wanted, const std::stop_token&, const auto& publish) {
           write(wanted);
           publish(true);
@@ -146,7 +146,7 @@ void Autosave::write(const Wanted& wanted) {
         return;
     }
     make_folder();
-    write_autosave(*wanted, own_->file());
+    write_autosave(*wanted, own_->file(), bytes_max_);
 }
 
 // Another one where somebody has changed what the present one is.
@@ -163,7 +163,7 @@ void Autosave::follow(const Document& document) {
     if (folder_.empty()) return;
     if (const auto done = job_.poll()) {
         kept_ = done->revision;
-        problem_ = done->error ? plain_words(done->error) : std::string();
+        problem_ = done->error ? problem_line(done->error) : std::string();
     }
     if (document.history.saved()) {
         if (wanted_) submit({});

@@ -31,8 +31,10 @@ struct LostAndFound {
 inline constexpr std::uintmax_t autosave_bytes_max = std::uintmax_t{1} << 30;
 
 // The first line is JSON about the work, the rest is a design file. The pictures of the design are held in
-// it, so that it needs no other file to be restored. What could not be read again is a UserError.
-void write_autosave(const UnsavedWork& work, const std::filesystem::path& file);
+// it, so that it needs no other file to be restored. What could not be read again, as more than `bytes_max`,
+// is a UserError.
+void write_autosave(const UnsavedWork& work, const std::filesystem::path& file,
+                    std::uintmax_t bytes_max = autosave_bytes_max);
 
 // Its first line alone.
 struct AutosaveHead {
@@ -49,7 +51,7 @@ UnsavedWork parse_autosave(const std::string& text, const std::filesystem::path&
 class Autosave {
   public:
     // Each process has a folder of its own below this one, made with its first write. Empty: nothing is kept.
-    explicit Autosave(std::filesystem::path folder);
+    explicit Autosave(std::filesystem::path folder, std::uintmax_t bytes_max = autosave_bytes_max);
 
     // Once a frame: begins to write the document's newest step, or to remove the file once there is nothing
     // unsaved. Never waits.
@@ -77,6 +79,7 @@ class Autosave {
     void submit(Wanted wanted);
 
     std::filesystem::path folder_;
+    std::uintmax_t bytes_max_;
     std::optional<OwnedFolder> own_;  // only the worker uses it while it is busy
     Wanted wanted_;
     std::string problem_;

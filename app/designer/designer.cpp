@@ -138,8 +138,8 @@ void draw_preview(Designer& designer) {
 std::string warning(const Designer& designer) {
     if (!designer.autosave.problem().empty())
         return "Unsaved work cannot be kept: " + designer.autosave.problem();
-    if (!designer.settings.problem().empty()) return designer.settings.problem();
-    return designer.recent.problem();
+    if (!designer.settings.problem().empty()) return "Settings: " + designer.settings.problem();
+    return designer.recent.problem().empty() ? "" : "Recent files: " + designer.recent.problem();
 }
 
 void draw_status(Designer& designer) {
@@ -235,7 +235,7 @@ Designer::Designer(const DesignerOptions& given)
     : options(given),
       settings(options.folders.config),
       recent(options.folders.state),
-      autosave(autosave_folder(options.folders)),
+      autosave(autosave_folder(options.folders), options.autosave_bytes),
       recovery(autosave_folder(options.folders)),
       baker(options.bake_threads, options.wake),
       comparison(options.bake_threads, options.wake),

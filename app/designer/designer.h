@@ -38,9 +38,10 @@
 namespace nacre {
 
 struct DesignerOptions {
-    int bake_threads = 0;                       // 0: as many as the machine has
-    UserFolders folders = {};                   // without them nothing of the user's is read or kept
-    std::optional<DialogProgram> dialogs = {};  // for files; without one Nacre's own browser asks
+    int bake_threads = 0;                                // 0: as many as the machine has
+    UserFolders folders = {};                            // without them nothing of the user's is read or kept
+    std::optional<DialogProgram> dialogs = {};           // for files; without one Nacre's own browser asks
+    std::uintmax_t autosave_bytes = autosave_bytes_max;  // at most, of work that is kept
     std::function<void()> wake = {};  // called on a worker's thread when a frame would show something new
 };
 

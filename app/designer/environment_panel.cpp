@@ -38,8 +38,10 @@ bool choose(const std::vector<std::string>& labels, std::size_t& chosen) {
     ui::row_label("Environment", about);
     if (ImGui::BeginCombo("##Environment", labels[chosen].c_str())) {
         for (std::size_t i = 0; i < labels.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
             if (ImGui::Selectable(labels[i].c_str(), i == before)) chosen = i;
-            ui::note_item(labels[i].c_str());
+            ImGui::PopID();
+            ui::note_item(labels[i]);
         }
         ImGui::EndCombo();
     }
@@ -79,7 +81,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
     }
     if (!last_file_.empty()) {
         names.push_back(last_file_);
-        labels.push_back(fs::path(last_file_).filename().string());
+        labels.push_back(ui::as_label(fs::path(last_file_).filename().string()));
     }
     labels.emplace_back("Open picture\u2026");
     auto chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), present) - names.begin());
@@ -95,7 +97,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
         }
     }
     if (!surroundings.picture) return;
-    for (const std::string& note : surroundings.picture->notes) ui::dim_text(note);
+    ui::notes_row(surroundings.picture->notes);
     const Surroundings usual;
     ui::slider(
         {.label = "Turn##Environment turn",

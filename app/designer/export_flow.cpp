@@ -56,14 +56,15 @@ std::string replaced(const fs::path& output) {
 
 ExportFlow::ExportFlow() {
     for (const ExportFormat* format : export_formats())
-        dialog_.formats.push_back(
-            {std::string(format->title), std::string(format->about), false, format->has_names});
+        dialog_.formats.push_back({std::string(format->title), std::string(), false, format->has_names});
     for (const PictureFormat& format : pictures)
         dialog_.formats.push_back({format.title, format.about, true, false});
 }
 
 void ExportFlow::draw_options(const Document& document) {
     dialog_.prefix_problem = prefix_problem(dialog_.prefix);
+    for (std::size_t i = 0; i < export_formats().size(); ++i)
+        dialog_.formats[i].about = about(*export_formats()[i], dialog_.prefix);
     const ui::DialogAnswer answer = ui::export_dialog(dialog_);
     if (answer == ui::DialogAnswer::cancelled) step_ = Step::none;
     if (answer == ui::DialogAnswer::accepted) ask_file(document);
@@ -163,6 +164,7 @@ std::optional<std::string> ExportFlow::draw_work() {
     if (const auto ended = task_.poll()) {
         problem_ = ended->problem;
         step_ = problem_.empty() ? Step::none : Step::problem;
+        if (step_ == Step::problem) return {};
         return ended->message.empty() ? "The export was stopped" : ended->message;
     }
     if (ui::progress_dialog("Exporting", output_.filename().string(), task_.progress())) task_.cancel();

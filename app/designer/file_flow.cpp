@@ -7,6 +7,7 @@
 
 #include "app/designer/change_question.h"
 #include "app/designer/folder.h"
+#include "app/designer/picture_notes.h"
 #include "core/design/design_file.h"
 #include "core/design/error.h"
 #include "core/exchange/output_guard.h"
@@ -18,6 +19,12 @@ namespace fs = std::filesystem;
 
 std::string design_name(const Document& document) {
     return document.design.name.empty() ? "Untitled" : document.design.name;
+}
+
+// And what is to be said of the pictures that were read with it.
+std::string with_notes(const std::string& message, const Document& document) {
+    const std::string notes = notes_line(document.design);
+    return notes.empty() ? message : message + "; " + notes;
 }
 
 // The document whose file holds this very work, if it does.
@@ -137,7 +144,7 @@ void FileFlow::load(Document& document, bool as_preset) {
             opened.preset = std::exchange(opened.file, fs::path());
         }
         document = std::move(opened);
-        message_ = "Opened " + to_open_.filename().string();
+        message_ = with_notes("Opened " + to_open_.filename().string(), document);
         if (!as_preset) note(to_open_);
     } catch (const std::exception&) {
         problem_ = problem_line();
@@ -192,7 +199,7 @@ void FileFlow::write(Document& document, const fs::path& file) {
 void FileFlow::reload(Document& document) {
     try {
         document.reload(read_document(document.file));
-        message_ = "Reloaded " + document.file.filename().string();
+        message_ = with_notes("Reloaded " + document.file.filename().string(), document);
     } catch (const std::exception&) {
         problem_ = problem_line();
     }

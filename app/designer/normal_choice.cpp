@@ -84,10 +84,10 @@ const ColourPicture& NormalChoice::picture() {
     return *picture_;
 }
 
-std::string NormalChoice::note() const {
-    std::string text = note_;
-    for (const std::string& line : picture_notes_) text += (text.empty() ? "" : "; ") + line;
-    return text;
+PictureNotes NormalChoice::notes() const {
+    PictureNotes notes = picture_notes_;
+    if (!note_.empty()) notes.insert(notes.begin(), note_);
+    return notes;
 }
 
 }  // namespace nacre

@@ -22,7 +22,8 @@ class NormalChoice {
     // What was looked at. A UserError where it cannot be read.
     const ColourPicture& picture();
     const NormalReading& reading() const { return reading_; }
-    std::string note() const;  // what is to be said of the normals; may be empty
+    const PictureNotes& picture_notes() const { return picture_notes_; }
+    PictureNotes notes() const;  // the picture's, after what is to be said of its normals
 
   private:
     void count();

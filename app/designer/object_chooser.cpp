@@ -49,7 +49,7 @@ void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialo
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});
     const bool own = names_object(shelf_.wanted()) && fs::path(shelf_.wanted()).has_extension();
     const std::string file_label =
-        (own ? fs::path(shelf_.wanted()).filename().string() : "OBJ\u2026") + "##OBJ file";
+        (own ? ui::as_label(fs::path(shelf_.wanted()).filename().string()) : "OBJ\u2026") + "##OBJ file";
     float needed = ui::button_breadth(file_label.c_str()) + 2 * gap;
     for (const Entry& entry : entries) needed += ui::button_breadth(entry.label) + gap;
     if (needed > ImGui::GetContentRegionAvail().x)

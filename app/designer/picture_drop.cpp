@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/designer/picture_notes.h"
 #include "core/design/error.h"
 #include "core/exchange/picture.h"
 #include "core/paint/normal_map.h"
@@ -29,8 +30,9 @@ void add_layer_of(const std::vector<dvec3>& normals_found, double width, const s
     set_raster(layer, std::move(raster), 0, others > 0 ? others : 1);
 }
 
-std::shared_ptr<const Raster> stamp_of(const std::filesystem::path& file) {
-    auto raster = std::make_shared<Raster>(load_picture(file, file.string(), "stamp", PictureShape::any));
+std::shared_ptr<const Raster> stamp_of(const std::filesystem::path& file, PictureNotes& notes) {
+    auto raster =
+        std::make_shared<Raster>(load_picture(file, file.string(), "stamp", PictureShape::any, &notes));
     const float largest = *std::max_element(raster->values.begin(), raster->values.end());
     if (largest > 1)
         for (float& value : raster->values) value /= largest;
@@ -70,25 +72,28 @@ void reading_fields(ReliefReading& reading) {
 void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
     const std::filesystem::path file = *std::exchange(file_, std::nullopt);
     const std::string name = file.stem().string();
+    PictureNotes notes;
     try {
         if (answer == stamp) {
-            canvas.stamps.push_back(named_stamp(name, stamp_of(file)));
+            canvas.stamps.push_back(named_stamp(name, stamp_of(file, notes)));
             canvas.stamp = canvas.stamps.size() - 1;
             canvas.tool = ui::CanvasTool::stamp;
         } else if (answer == normals) {
             add_layer_of(normals_of_map(normals_.picture(), normals_.reading()), reading_.smoothing, name,
                          distribution, chosen);
-            if (!normals_.note().empty()) note_ = file.filename().string() + ": " + normals_.note();
+            notes = normals_.notes();
         } else if (answer == heights) {
             add_layer_of(normals_of_heights(normals_.picture(), reading_.height / 100), reading_.smoothing,
                          name, distribution, chosen);
+            notes = normals_.picture_notes();
         } else if (answer == modulate && chosen < distribution.layers.size()) {
             auto raster = std::make_shared<const Raster>(
-                load_picture(file, file.string(), "modulation", PictureShape::any));
-            distribution.layers[chosen].modulation = Modulation{{{}, std::move(raster)}, 1};
+                load_picture(file, file.string(), "modulation", PictureShape::any, &notes));
+            distribution.layers[chosen].modulation = Modulation{{{}, std::move(raster), notes}, 1};
         } else if (answer == surround) {
             surroundings_ = file;
         }
+        if (!notes.empty()) note_ = notes_line(file, notes);
     } catch (const std::exception&) {
         problem_ = problem_line();
     }

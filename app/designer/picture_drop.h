@@ -35,7 +35,7 @@ class PictureDrop {
         return std::exchange(surroundings_, std::nullopt);
     }
 
-    // What is to be said of the map that became a layer, once.
+    // What is to be said of the picture that was used, once.
     std::optional<std::string> take_note() { return std::exchange(note_, std::nullopt); }
 
     bool talking() const { return file_ || !problem_.empty(); }

@@ -7,6 +7,7 @@
 #include "core/design/error.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/output_folder.h"
 
 namespace nacre {
 
@@ -32,7 +33,7 @@ void PictureTaker::begin(const Document& document, PreviewPane& preview, const S
     try {
         task_.start([image = preview.picture(scene, preview.size(), false),
                      folder = settings_->picture_folder, stem = document.stem()](const auto&, const auto&) {
-            fs::create_directories(folder);
+            const OutputFolder made(folder);
             const ImageBytes bytes = image_bytes(ImageFormat::png, image.size, image.rgb);
             const fs::path file = write_numbered_file(folder, stem, ".png", text_of(bytes));
             return "Picture " + file.string();

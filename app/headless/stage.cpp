@@ -21,8 +21,10 @@ Stage::Stage(const StageOptions& options)
     io.DeltaTime = 1.0f / 60;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;  // panels are resizable as in the window
     map_keys(io);
-    designer_ = std::make_unique<Designer>(DesignerOptions{
-        .bake_threads = options.bake_threads, .folders = options.folders, .dialogs = options.dialogs});
+    designer_ = std::make_unique<Designer>(DesignerOptions{.bake_threads = options.bake_threads,
+                                                           .folders = options.folders,
+                                                           .dialogs = options.dialogs,
+                                                           .autosave_bytes = options.autosave_bytes});
 }
 
 void Stage::frame(bool rasterise) {

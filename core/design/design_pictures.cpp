@@ -1,8 +1,6 @@
 #include "core/design/design_pictures.h"
 
 #include <algorithm>
-#include <map>
-#include <memory>
 
 #include "core/exchange/picture.h"
 
@@ -19,12 +17,9 @@ bool contains(const std::vector<fs::path>& files, const fs::path& file) {
 
 Design with_pictures_reread(Design design, const std::vector<fs::path>& files,
                             const std::string& error_file) {
-    std::map<fs::path, std::shared_ptr<const Raster>> read;
     for_each_picture(design, [&](Picture& picture, const std::string& where) {
         if (picture.file.empty() || !contains(files, picture.file)) return;
-        std::shared_ptr<const Raster>& raster = read[picture.file];
-        if (!raster) raster = std::make_shared<const Raster>(load_picture(picture.file, error_file, where));
-        picture.raster = raster;
+        picture.raster = load_shared_picture(picture.file, error_file, where, picture.notes);
     });
     return design;
 }

@@ -34,8 +34,9 @@ Picture read_picture(const JsonValue& json, const fs::path& base_dir) {
     if (!json.is_text()) json.fail(expected);
     const std::string path = json.text();
     if (path.empty() || path.find('\0') != path.npos) json.fail(expected);
-    const fs::path file = (base_dir / path).lexically_normal();
-    return {file, load_shared_picture(file, json.file(), json.path())};
+    Picture picture{(base_dir / path).lexically_normal(), {}};
+    picture.raster = load_shared_picture(picture.file, json.file(), json.path(), picture.notes);
+    return picture;
 }
 
 std::vector<std::pair<double, double>> kind_detail::read_curve(const JsonValue& json, Range theta_bounds,

@@ -9,9 +9,11 @@
 #include <wctype.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <climits>
 #include <cwchar>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -45,9 +47,44 @@ Identity identity_of(const fs::path& file) {
     return {0, 0, error ? target.lexically_normal().string() : whole.string()};
 }
 
+// ASCII letters alone: every file system that ignores case ignores theirs.
+std::string with_case_swapped(std::string name) {
+    for (char& c : name)
+        if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) c = static_cast<char>(c ^ 0x20);
+    return name;
+}
+
+bool is_listed(const fs::path& folder, const std::string& name) {
+    std::error_code error;
+    for (auto it = fs::directory_iterator(folder, error); !error && it != fs::directory_iterator();
+         it.increment(error))
+        if (it->path().filename() == name) return true;
+    return false;
+}
+
+// What a file in the folder tells: whether it is found under its name with the case swapped, though no such
+// name is listed, as one of a second link is. Nothing where no name in it has letters.
+std::optional<bool> finds_swapped(const fs::path& folder) {
+    std::error_code error;
+    for (auto it = fs::directory_iterator(folder, error); !error && it != fs::directory_iterator();
+         it.increment(error)) {
+        const std::string name = it->path().filename().string(), swapped = with_case_swapped(name);
+        struct stat own {
+        }, other{};
+        if (swapped == name || ::lstat(it->path().c_str(), &own) != 0) continue;
+        if (::lstat((folder / swapped).c_str(), &other) != 0) {
+            if (errno == ENOENT) return false;
+            continue;
+        }
+        return own.st_dev == other.st_dev && own.st_ino == other.st_ino && !is_listed(folder, swapped);
+    }
+    return {};
+}
+
 }  // namespace
 
 bool ignores_case(const fs::path& folder) {
+    if (const auto found = finds_swapped(folder.empty() ? "." : folder)) return *found;
     const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return folder.has_relative_path() && ignores_case(folder.parent_path());
     int flags = 0;

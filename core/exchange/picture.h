@@ -17,10 +17,6 @@ enum class PictureShape {
     any      // one that is not square is letterboxed()
 };
 
-// What is worth to be said of a picture that was read: a part that is not used, a size that was changed.
-// One sentence each, without the file.
-using PictureNotes = std::vector<std::string>;
-
 // The luminance (Rec. 709) of a picture as a square raster, upright, a larger one averaged down to
 // limits::raster_max. Integers are decoded from sRGB where the file says nothing else, so that the highlight
 // looks like the picture; floats are linear. Alpha multiplies once: where the picture is transparent there
@@ -33,7 +29,7 @@ Raster load_picture(const std::filesystem::path& file, const std::string& error_
 // The same, held together with others who read a file of the same content.
 std::shared_ptr<const Raster> load_shared_picture(const std::filesystem::path& file,
                                                   const std::string& error_file,
-                                                  const std::string& error_where);
+                                                  const std::string& error_where, PictureNotes& notes);
 
 // Three numbers a pixel as they are stored, integers over their largest value, without regard to alpha; a
 // grey is repeated. Upright, rows from the top. Of any shape.

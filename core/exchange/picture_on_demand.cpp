@@ -65,8 +65,8 @@ Raster load_picture(const fs::path& file, const std::string& error_file, const s
 }
 
 std::shared_ptr<const Raster> load_shared_picture(const fs::path& file, const std::string& error_file,
-                                                  const std::string& error_where) {
-    return shared_raster(file, error_file, error_where, PictureShape::square, nullptr);
+                                                  const std::string& error_where, PictureNotes& notes) {
+    return shared_raster(file, error_file, error_where, PictureShape::square, &notes);
 }
 
 ColourPicture load_colours(const fs::path& file, PictureNotes* notes) {

@@ -34,6 +34,10 @@ std::span<const ExportFormat* const> export_formats() {
 
 std::vector<fs::path> one_file(const Design&, const fs::path& file) { return {file}; }
 
+std::string about(const ExportFormat& format, std::string_view prefix) {
+    return fmt::format(fmt::runtime(format.about), fmt::arg("prefix", prefix));
+}
+
 std::string prefix_problem(std::string_view prefix) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };

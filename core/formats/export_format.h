@@ -41,7 +41,7 @@ struct ExportSettings {
 struct ExportFormat {
     std::string_view name;       // as `nacre-cli export --to` takes it
     std::string_view title;      // as a menu shows it
-    std::string_view about;      // one line
+    std::string_view about;      // one line; see about()
     std::string_view extension;  // of its file; empty: it is a folder
     bool has_names;              // it defines names, which begin with ExportSettings::prefix
     // Every file that it may write.
@@ -59,6 +59,12 @@ std::span<const ExportFormat* const> export_formats();
 
 // `files` of a format that is one file.
 std::vector<std::filesystem::path> one_file(const Design& design, const std::filesystem::path& file);
+
+// What a format is, with the names that it defines under this prefix.
+std::string about(const ExportFormat& format, std::string_view prefix);
+
+// What a format is, with the names that it defines under this prefix.
+std::string about(const ExportFormat& format, std::string_view prefix);
 
 // What is wrong with a prefix of names, or nothing: letters, digits and single underscores, a letter first.
 std::string prefix_problem(std::string_view prefix);

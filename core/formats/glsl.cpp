@@ -15,7 +15,7 @@ ExportWriter prepare(const Design& design, const ExportSettings& settings, const
 const ExportFormat glsl_format{
     .name = "glsl",
     .title = "GLSL function",
-    .about = "one file with the function nacre_brdf(k1, k2) and its tables as constants",
+    .about = "one file with the function {prefix}_brdf(k1, k2) and its tables as constants",
     .extension = ".glsl",
     .has_names = true,
     .files = one_file,

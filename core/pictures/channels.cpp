@@ -97,9 +97,15 @@ Channels choose_channels(const std::vector<std::string>& names, PictureUse use, 
                         list(names)));
     Channels result{colour, chosen->alpha, {}};
     if (names.size() > colour.size() + (chosen->alpha >= 0 ? 1 : 0)) {
-        std::vector<std::string> used;
-        for (const int channel : colour) used.push_back(names[static_cast<std::size_t>(channel)]);
-        result.note = fmt::format("of its channels {} those used are {}", list(names), list(used));
+        std::vector<std::string> used, left;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto channel = static_cast<int>(i);
+            if (std::find(colour.begin(), colour.end(), channel) != colour.end())
+                used.push_back(names[i]);
+            else if (channel != chosen->alpha)
+                left.push_back(names[i]);
+        }
+        result.note = fmt::format("its channels {} are used, {} are not", list(used), list(left));
     }
     return result;
 }

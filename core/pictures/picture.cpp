@@ -58,8 +58,12 @@ Raster read_picture(const fs::path& file, PictureShape shape, PictureNotes& note
     if (shape == PictureShape::square && size.x != size.y)
         throw PictureProblem(fmt::format("{} x {} pixels, a picture must be square", size.x, size.y));
     notes = picture->header().notes;
+    const int side = std::max(size.x, size.y), kept = std::min(side, limits::raster_max);
+    std::string changes = size.x != size.y ? ", made square with black beside it" : "";
+    if (kept < side) changes += fmt::format(", averaged down to {} x {}", kept, kept);
+    if (!changes.empty()) notes.push_back(fmt::format("{} x {} pixels{}", size.x, size.y, changes));
     const Raster raster = letterboxed(read_grey(*picture));
-    return raster.width > limits::raster_max ? area_average(raster, limits::raster_max) : raster;
+    return kept < side ? area_average(raster, kept) : raster;
 }
 
 ColourPicture read_colours(const fs::path& file, PictureNotes& notes) {

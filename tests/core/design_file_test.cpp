@@ -13,11 +13,7 @@
 #include "tests/core/user_error_of.h"
 
 using namespace nacre;
-using nacre::test::random_design;
-using nacre::test::read_all;
-using nacre::test::TemporaryFolder;
-using nacre::test::user_error_of;
-using nacre::test::write_all;
+using namespace nacre::test;
 
 namespace fs = std::filesystem;
 

@@ -13,10 +13,7 @@
 #include "tests/core/user_error_of.h"
 
 using namespace nacre;
-using nacre::test::read_all;
-using nacre::test::TemporaryFolder;
-using nacre::test::user_error_of;
-using nacre::test::write_all;
+using namespace nacre::test;
 
 namespace fs = std::filesystem;
 
@@ -297,19 +294,5 @@ TEST_SUITE("picture") {
             write_image(folder / "a.exr", {3, 3, 3, pixels, OIIO::TypeDesc::FLOAT});
             CHECK(has(error_of(folder / "a.exr"), "pixel (2, 1) from the top left"));
         }
-    }
-
-    TEST_CASE("picture: the same content is decoded once, wherever it stands and whoever asks") {
-        const TemporaryFolder folder;
-        write_image(folder / "a.exr", noise(8, 1, OIIO::TypeDesc::FLOAT));
-        const auto first = load_shared_picture(folder / "a.exr", "test.nacre", "here.image");
-        fs::copy_file(folder / "a.exr", folder / "b.exr");
-        CHECK(load_shared_picture(folder / "b.exr", "test.nacre", "here.image") == first);
-        CHECK(load(folder / "a.exr") == *first);
-        // Other content of the same size at once, under the same name.
-        std::string bytes = read_all(folder / "a.exr");
-        bytes.back() = static_cast<char>(bytes.back() ^ 1);
-        write_all(folder / "a.exr", bytes);
-        CHECK(load_shared_picture(folder / "a.exr", "test.nacre", "here.image") != first);
     }
 }

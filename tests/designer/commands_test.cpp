@@ -105,6 +105,23 @@ TEST_CASE("commands: the export dialog writes each format") {
         CHECK(!entry.path().filename().string().starts_with('.'));
 }
 
+TEST_CASE("commands: the export dialog names the function as the file will") {
+    const TemporaryFolder folder;
+    Rig r;
+    r.play("wait\nkey Ctrl+E\nframes 30\nclick \"Format GLSL function\"\nframes 30");
+    ui::ExportDialog& options = r.designer().exporter.options();
+    const auto about = [&] { return options.formats[options.chosen].about; };
+    CHECK(about().find(" nacre_brdf(k1, k2) ") != std::string::npos);
+    options.tolerance = 0.1;
+    options.prefix = "wood2";
+    r.play("frames 2");
+    CHECK(about().find(" wood2_brdf(k1, k2) ") != std::string::npos);
+    r.play("click \"Choose export file\"\nframes 5\nkey Ctrl+A\ntext \"" + (folder / "a.glsl").string() +
+           "\"\nkey Enter\nframes 3");
+    REQUIRE(r.frames_until([&] { return !r.designer().exporter.talking(); }));
+    CHECK(read_all(folder / "a.glsl").find("vec3 wood2_brdf(vec3 k1, vec3 k2)") != std::string::npos);
+}
+
 TEST_CASE("commands: recent files open, and what is gone leaves the list") {
     const TemporaryFolder folder;
     Design design = starter_design();

@@ -5,19 +5,15 @@
 #include <string>
 
 #include "core/exchange/image_file.h"
-#include "tests/core/temporary_folder.h"
-#include "tests/designer/rig.h"
+#include "tests/designer/folder_rig.h"
 
 using namespace nacre;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Rig : test::Rig {
-    test::TemporaryFolder folder;
-    Rig() : test::Rig(2) {}
+struct Rig : test::FolderRig {
     Surroundings& surroundings() { return designer().scene.environment; }
-    std::string drop(const char* name) { return "drop \"" + (folder / name).string() + "\"\nframes 3\n"; }
 };
 
 }  // namespace

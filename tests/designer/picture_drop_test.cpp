@@ -14,19 +14,13 @@
 #include "core/exchange/image_file.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/painted_layer.h"
-#include "tests/core/temporary_folder.h"
-#include "tests/designer/rig.h"
+#include "tests/designer/folder_rig.h"
 
 using namespace nacre;
+using test::FolderRig;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Rig : test::Rig {
-    test::TemporaryFolder folder;
-    Rig() : test::Rig(2) {}
-    std::string quoted(const char* name) { return "\"" + (folder / name).string() + "\""; }
-};
 
 // Steel brushed along y: grooves whose sides lean along x, a little noise along y.
 void write_brushed_steel(const fs::path& file) {
@@ -76,10 +70,10 @@ glm::dvec2 spread(const Layer& layer) {
 }  // namespace
 
 TEST_CASE("picture: a brushed-steel normal map gives a streak across the brushing") {
-    Rig r;
+    FolderRig r;
     write_brushed_steel(r.folder / "steel.exr");
     const Design before = r.stage.designer().document.design;
-    r.play("drop " + r.quoted("steel.exr") + "\nframes 3\nclick \"Normals\"\nframes 3\nwait");
+    r.play(r.drop("steel.exr") + "click \"Normals\"\nframes 3\nwait");
     REQUIRE(r.layers().size() == 2);
     CHECK(r.layers()[1].name == "steel");
     CHECK(r.layers()[1].enabled);
@@ -92,13 +86,13 @@ TEST_CASE("picture: a brushed-steel normal map gives a streak across the brushin
 }
 
 TEST_CASE("picture: how a map of normals is read is shown, and can be chosen for it") {
-    Rig r;
+    FolderRig r;
     // All lean up by 30 degrees, in signed numbers.
     std::vector<float> rgb;
     for (int i = 0; i < 64; ++i) rgb.insert(rgb.end(), {0.0f, 0.5f, 0.8660254f});
     rgb[5] = 1.2f;
     write_image(r.folder / "leaning.exr", {8, 8}, rgb);
-    const std::string drop = "drop " + r.quoted("leaning.exr") + "\nframes 3\n";
+    const std::string drop = r.drop("leaning.exr");
     const auto mean = [&](const std::string& choices) {
         r.play(drop + choices + "click \"Normals\"\nframes 3");
         Distribution alone;
@@ -118,25 +112,25 @@ TEST_CASE("picture: how a map of normals is read is shown, and can be chosen for
           doctest::Approx(30).epsilon(0.02));
     // Another map is read by its own numbers.
     write_brushed_steel(r.folder / "steel.exr");
-    r.play("drop " + r.quoted("steel.exr") + "\nframes 3\nclick \"Normals\"\nframes 3");
+    r.play(r.drop("steel.exr") + "click \"Normals\"\nframes 3");
     CHECK(spread(r.layers().back()).x > 0.2);
 }
 
 TEST_CASE("picture: a grey one holds no normals, and says so") {
-    Rig r;
+    FolderRig r;
     std::ofstream(r.folder / "grey.pgm") << "P2 2 2 255\n0 100 200 255\n";
     const Design before = r.designer().document.design;
-    r.play("drop " + r.quoted("grey.pgm") + "\nframes 3\nclick \"Normals\"\nframes 3");
+    r.play(r.drop("grey.pgm") + "click \"Normals\"\nframes 3");
     CHECK(r.designer().pictures.talking());
     r.play("key Enter\nframes 3");
     CHECK(r.designer().document.design == before);
 }
 
 TEST_CASE("picture: it becomes the stamp in hand, or the chosen layer's modulation") {
-    Rig r;
+    FolderRig r;
     const std::vector<float> rgb = {1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1};
     write_image(r.folder / "check.png", {2, 2}, rgb);
-    r.play("drop " + r.quoted("check.png") + "\nframes 3\nclick \"Stamp\"\nframes 3");
+    r.play(r.drop("check.png") + "click \"Stamp\"\nframes 3");
     CHECK(r.canvas().tool == ui::CanvasTool::stamp);
     REQUIRE(r.canvas().stamp < r.canvas().stamps.size());
     CHECK(r.canvas().stamps[r.canvas().stamp].name == "check");
@@ -144,16 +138,15 @@ TEST_CASE("picture: it becomes the stamp in hand, or the chosen layer's modulati
     r.play("click \"Canvas\":@0,0\nwait");
     REQUIRE(r.layers().size() == 2);
     CHECK(raster_mass(*std::get<PaintedLobe>(r.layers()[1].lobe).image.raster) > 0.1);
-    r.play("click \"Layer 1\"\ndrop " + r.quoted("check.png") +
-           "\nframes 3\nclick \"Modulation\"\nframes 3\nwait");
+    r.play("click \"Layer 1\"\n" + r.drop("check.png") + "click \"Modulation\"\nframes 3\nwait");
     CHECK(r.layers()[0].modulation.has_value());
     CHECK(r.stage.designer().baker.problem().empty());
 }
 
 TEST_CASE("picture: the smoothing and the height of a map are set in the question, and stay set") {
-    Rig r;
+    FolderRig r;
     write_grooves(r.folder / "grooves.exr");
-    const std::string drop = "drop " + r.quoted("grooves.exr") + "\nframes 3\n";
+    const std::string drop = r.drop("grooves.exr");
     const auto answer = [&](const std::string& first) {
         r.play(drop + first + "click \"Heights\"\nframes 3");
         return spread(r.layers().back());
@@ -176,9 +169,9 @@ TEST_CASE("picture: the smoothing and the height of a map are set in the questio
 }
 
 TEST_CASE("picture: a wide one paints and modulates as wide as it is") {
-    Rig r;
+    FolderRig r;
     write_image(r.folder / "wide.exr", {8, 2}, std::vector<float>(48, 1));
-    const std::string drop = "drop " + r.quoted("wide.exr") + "\nframes 3\n";
+    const std::string drop = r.drop("wide.exr");
     r.play(drop + "click \"Stamp\"\nframes 3");
     r.canvas().brush.radius = 30;
     r.play("click \"Canvas\":@0,0");
@@ -194,14 +187,14 @@ TEST_CASE("picture: a wide one paints and modulates as wide as it is") {
 }
 
 TEST_CASE("picture: what is none is told, and nothing changes") {
-    Rig r;
+    FolderRig r;
     std::ofstream(r.folder / "words.png") << "not a picture";
     const Design before = r.stage.designer().document.design;
-    r.play("drop " + r.quoted("words.png") + "\nframes 3\nclick \"Heights\"\nframes 3");
+    r.play(r.drop("words.png") + "click \"Heights\"\nframes 3");
     CHECK(r.stage.designer().pictures.talking());
     r.play("key Enter\nframes 3");
     CHECK(!r.stage.designer().pictures.talking());
-    r.play("drop " + r.quoted("words.png") + "\nframes 3\nkey Escape\nframes 3");
+    r.play(r.drop("words.png") + "key Escape\nframes 3");
     CHECK(!r.stage.designer().pictures.talking());
     CHECK(r.stage.designer().document.design == before);
 }
