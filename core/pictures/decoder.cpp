@@ -21,12 +21,11 @@ namespace {
 // alike. Past what a picture other than an environment may have, they must show that they have something to
 // decode: PNG by what deflate can hold, 1032 bytes in one, of 1 bit a pixel.
 void check_claim(const OpenedFile& file) {
-    constexpr std::array<std::pair<std::string_view, double>, 8> pixels_a_byte{{{"webp", 4096},
+    constexpr std::array<std::pair<std::string_view, double>, 7> pixels_a_byte{{{"webp", 4096},
                                                                                 {"jpeg2000", 4096},
                                                                                 {"heif", 4096},
-                                                                                {"psd", 4096},
                                                                                 {"targa", 4096},
-                                                                                {"dds", 4096},
+                                                                                {"bmp", 4096},
                                                                                 {"jpeg", 4096},
                                                                                 {"png", 8 * 1032}}};
     constexpr double doubtful = 4096.0 * 4096.0;
@@ -83,8 +82,9 @@ std::unique_ptr<Decoder> open_picture(const std::filesystem::path& file, const P
     opened.examined = examine(*opened.bytes);
     check_size(opened.examined.size, opened.examined.orientation, limits);
     check_claim(opened);
-    return opened.examined.format == "webp" ? make_webp_decoder(std::move(opened))
-                                            : make_oiio_decoder(std::move(opened));
+    if (opened.examined.format == "webp") return make_webp_decoder(std::move(opened));
+    if (opened.examined.format == "psd") return make_psd_decoder(std::move(opened));
+    return make_oiio_decoder(std::move(opened));
 }
 
 }  // namespace nacre

@@ -18,11 +18,14 @@ struct OpenedFile {
 // A PictureProblem where a picture of that size is larger than the limits.
 void check_size(glm::dvec2 stored, int orientation, const PictureLimits& limits);
 
-// All formats but WebP, with OpenImageIO.
+// All formats but the following, with OpenImageIO.
 std::unique_ptr<Decoder> make_oiio_decoder(OpenedFile file);
 
 // OpenImageIO multiplies WebP's colours by alpha in 8 bits, and leaves what a first frame does not cover as
 // the memory was.
 std::unique_ptr<Decoder> make_webp_decoder(OpenedFile file);
+
+// OpenImageIO believes a PSD's numbers: it reads and writes past its rows where they do not fit each other.
+std::unique_ptr<Decoder> make_psd_decoder(OpenedFile file);
 
 }  // namespace nacre

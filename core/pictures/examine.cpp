@@ -85,27 +85,14 @@ std::string format_of(const FileBytes& file) {
         "no PNG, JPEG, EXR, TIFF, HDR, PNM, WebP, TGA, BMP, PSD, DDS, JPEG 2000 or HEIF picture");
 }
 
-// Four bytes a pixel are no alpha before the header has a mask for it.
-void examine_bmp(const FileBytes& file, Examined& found) {
-    constexpr std::uint64_t with_alpha_mask = 56;
-    const std::string header = file.read(0, 70);
-    const std::uint64_t length = little_endian(header, 14, 4);
-    found.has_no_alpha = length < with_alpha_mask || length == 64 || little_endian(header, 66, 4) == 0;
-}
-
-void examine_dds(const FileBytes& file, Examined& found) {
-    const std::string header = file.read(0, 20);
-    found.size = glm::dvec2(little_endian(header, 16, 4), little_endian(header, 12, 4));
-}
-
 }  // namespace
 
 Examined examine(const FileBytes& file) {
     constexpr std::pair<std::string_view, void (*)(const FileBytes&, Examined&)> examiners[] = {
-        {"png", examine_png},     {"jpeg", examine_jpeg},        {"hdr", examine_hdr},
-        {"openexr", examine_exr}, {"psd", examine_psd},          {"targa", examine_targa},
-        {"bmp", examine_bmp},     {"dds", examine_dds},          {"webp", examine_webp},
-        {"heif", examine_heif},   {"jpeg2000", examine_jpeg2000}};
+        {"png", examine_png},     {"jpeg", examine_jpeg}, {"hdr", examine_hdr},
+        {"openexr", examine_exr}, {"tiff", examine_tiff}, {"psd", examine_psd},
+        {"targa", examine_targa}, {"bmp", examine_bmp},   {"dds", examine_dds},
+        {"webp", examine_webp},   {"heif", examine_heif}, {"jpeg2000", examine_jpeg2000}};
     Examined found;
     found.format = format_of(file);
     for (const auto& [format, examiner] : examiners)

@@ -65,8 +65,8 @@ void read_header(std::string_view name, std::string_view data, Examined& found) 
 struct Encoding {
     bool is_named = false;
     double exponent = 0;
-    std::optional<double> gamma() const {
-        if (is_named || exponent <= 0 || std::abs(exponent - 0.45455) < 0.01) return {};
+    double gamma() const {
+        if (is_named || exponent <= 0 || std::abs(exponent - 0.45455) < 0.01) return 0;
         return 1 / exponent;
     }
 };

@@ -1,8 +1,10 @@
-// Truevision TGA, version 2.0: sizes, and that no pixel names a colour which the palette does not have. The
-// decoder looks colours up unchecked.
+// Truevision TGA, version 2.0: sizes, and that no pixel names a colour which the palette does not have, since
+// the decoder looks colours up unchecked. It is not shown the extension area, whose texts it reads past their
+// ends; what that says of the pixels is read here.
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "core/pictures/byte_order.h"
@@ -73,8 +75,6 @@ void check_palette(const FileBytes& file, const std::string& header) {
     if (first != 0) throw PictureProblem(fmt::format("a TGA whose palette begins at colour {}", first));
     if (bits != 15 && bits != 16 && bits != 24 && bits != 32)
         throw PictureProblem(fmt::format("a TGA with a palette of {} bits a colour", bits));
-    if (depth != 8 && depth != 16)
-        throw PictureProblem(fmt::format("a TGA of {} bits a pixel with a palette", depth));
     const std::uint64_t identification = little_endian(header, 0, 1);
     Stream stream(file, header_size + identification + colours * ((bits + 7) / 8));
     const std::uint64_t pixels = little_endian(header, 12, 2) * little_endian(header, 14, 2);
@@ -82,14 +82,44 @@ void check_palette(const FileBytes& file, const std::string& header) {
     check_pixels(stream, pixels, {colours, static_cast<std::size_t>(depth / 8)}, packed);
 }
 
+// Bits a pixel of each kind.
+void check_depth(std::uint64_t kind, std::uint64_t depth) {
+    constexpr std::uint64_t palette = 1, colours = 2;
+    const bool fits = kind == palette   ? depth == 8 || depth == 16
+                      : kind == colours ? depth >= 15
+                                        : depth == 8 || depth == 16;
+    if (!fits)
+        throw PictureProblem(fmt::format("a TGA of {} bits a pixel with {}", depth,
+                                         kind == palette   ? "a palette"
+                                         : kind == colours ? "colours"
+                                                           : "greys"));
+}
+
+// What stands near the end of a file of the second version.
+void read_extension(const FileBytes& file, Examined& found) {
+    constexpr std::uint64_t footer = 26, length = 495, multiplied = 4;
+    const std::string end = file.size() > header_size + footer ? file.read(file.size() - footer, footer) : "";
+    if (end.find("TRUEVISION-XFILE.") != 8) return;
+    found.pieces = {{{}, 0, file.size() - footer}, {std::string(footer, '\0'), 0, 0}};
+    const std::string extension = file.read(little_endian(end, 0, 4), length);
+    if (extension.size() < length || little_endian(extension, 0, 2) < length) return;
+    found.is_associated = little_endian(extension, 494, 1) == multiplied;
+    const auto above = static_cast<double>(little_endian(extension, 478, 2));
+    const auto below = static_cast<double>(little_endian(extension, 480, 2));
+    // What is near 2.2 is an approximation of sRGB's curve.
+    if (above > 0 && below > 0 && std::abs(above / below - 2.2) > 0.05) found.gamma = above / below;
+}
+
 }  // namespace
 
 void examine_targa(const FileBytes& file, Examined& found) {
     const std::string header = file.read(0, header_size);
+    const std::uint64_t kind = little_endian(header, 2, 1) & 7;
     found.size = glm::dvec2(little_endian(header, 12, 2), little_endian(header, 14, 2));
     found.has_no_alpha = (little_endian(header, 17, 1) & 15) == 0;
-    const bool has_palette = (little_endian(header, 2, 1) & 7) == 1;
-    if (has_palette) check_palette(file, header);
+    check_depth(kind, little_endian(header, 16, 1));
+    if (kind == 1) check_palette(file, header);
+    read_extension(file, found);
 }
 
 }  // namespace nacre

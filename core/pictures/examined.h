@@ -17,7 +17,9 @@ struct Examined {
     glm::dvec2 size{0, 0};                // pixels as they are stored; 0 where only the decoder can tell
     int orientation = 0;                  // EXIF's 1 to 8; 0 where only the decoder can tell
     bool has_no_alpha = false;            // though the decoder may make one of padding
-    std::optional<double> gamma;          // of integers, where the file states one
+    bool is_associated = false;           // though the decoder cannot tell: its colours are times alpha
+    bool has_runs = false;                // of a palette's colours
+    double gamma = 0;                     // of integers, where the file states one; 0: sRGB's curve
     std::optional<glm::dmat3> to_rec709;  // of other primaries
     std::vector<std::string> notes;
 };
@@ -30,8 +32,11 @@ void examine_png(const FileBytes& file, Examined& found);
 void examine_jpeg(const FileBytes& file, Examined& found);
 void examine_hdr(const FileBytes& file, Examined& found);
 void examine_exr(const FileBytes& file, Examined& found);
+void examine_tiff(const FileBytes& file, Examined& found);
 void examine_psd(const FileBytes& file, Examined& found);
 void examine_targa(const FileBytes& file, Examined& found);
+void examine_dds(const FileBytes& file, Examined& found);
+void examine_bmp(const FileBytes& file, Examined& found);
 void examine_webp(const FileBytes& file, Examined& found);
 void examine_heif(const FileBytes& file, Examined& found);
 void examine_jpeg2000(const FileBytes& file, Examined& found);

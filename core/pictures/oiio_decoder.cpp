@@ -2,9 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string_view>
 #include <utility>
 
 #include "core/pictures/decoders.h"
@@ -22,15 +19,6 @@ constexpr std::size_t band_bytes_max = 1u << 30;  // of a row of tiles
 std::string reason_of(OIIO::ImageInput& input) {
     const std::string reason = input.geterror();
     return reason.empty() ? "the picture is damaged" : reason;
-}
-
-double gamma_of(const OIIO::ImageSpec& spec) {
-    std::string space = spec.get_string_attribute("oiio:ColorSpace");
-    std::transform(space.begin(), space.end(), space.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
-    if (space == "linear") return 1;
-    const double gamma = static_cast<double>(spec.get_float_attribute("oiio:Gamma", 0));
-    return gamma > 0 && std::abs(gamma - 2.2) > 0.05 ? gamma : 0;
 }
 
 // Where rows of the file go in the picture that is shown: what lies outside is cut off.
@@ -52,6 +40,8 @@ class OiioDecoder : public Decoder {
         input_->threads(1);  // its ways in several threads leave errors out
         OIIO::ImageSpec as_stored;
         as_stored.attribute("oiio:UnassociatedAlpha", 1);
+        // Of a BMP's runs it writes three colours where it has announced a grey.
+        if (file_.examined.has_runs) as_stored.attribute("bmp:monochrome_detect", 0);
         std::string name = file_.bytes->path().string();
         if (input_->supports("ioproxy"))
             input_->set_ioproxy(proxy_.get());
@@ -121,7 +111,7 @@ class OiioDecoder : public Decoder {
         header_.encoded = !spec_.format.is_floating_point();
         header_.bits = static_cast<int>(spec_.format.size() * 8);
         header_.associated = header_.has_alpha && is_associated();
-        header_.gamma = file_.examined.gamma.value_or(gamma_of(spec_));
+        header_.gamma = file_.examined.gamma;
         header_.to_rec709 = file_.examined.to_rec709;
         header_.notes.insert(header_.notes.begin(), file_.examined.notes.begin(), file_.examined.notes.end());
         check_claim();
@@ -130,9 +120,8 @@ class OiioDecoder : public Decoder {
     // By what each format defines; readers do not all say what they did.
     bool is_associated() const {
         const std::string& format = file_.examined.format;
-        return format == "openexr" ||
-               (format == "tiff" && spec_.get_int_attribute("oiio:UnassociatedAlpha") == 0) ||
-               (format == "targa" && spec_.get_int_attribute("tga:alpha_type") == 4);
+        return format == "openexr" || file_.examined.is_associated ||
+               (format == "tiff" && spec_.get_int_attribute("oiio:UnassociatedAlpha") == 0);
     }
 
     void choose() {

@@ -21,15 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Noise that does not compress, so that every part of the file is of use.
-FloatImage noise(glm::ivec2 size) {
-    FloatImage image{size, 3, {}};
-    std::mt19937 random(7);
-    for (int i = 0; i < size.x * size.y * 3; ++i)
-        image.values.push_back(static_cast<float>(random() >> 8) / static_cast<float>(1 << 24));
-    return image;
-}
-
 std::vector<fs::path> write_every_format(const TemporaryFolder& folder) {
     const FloatImage image = noise({64, 32});
     std::vector<fs::path> files;
@@ -176,25 +167,6 @@ TEST_CASE("damaged picture: rows of nothing but a claim take no memory") {
         CHECK(!user_error_of([&] { load_lat_long(file); }).empty());
     }
     CHECK(resident_most() - before < 300 * 1024);
-}
-
-TEST_CASE("damaged picture: a TGA's pixels name no colour that its palette does not have") {
-    const TemporaryFolder folder;
-    const std::string palette("\1\2\3\4\5\6", 6), footer = std::string(8, '\0') + "TRUEVISION-XFILE." + '\0';
-    const auto refusal = [&](char first, char kind, const std::string& pixels) {
-        const std::string header = std::string("\0\1", 2) + kind + first + std::string("\0\2\0\x18", 4) +
-                                   std::string("\0\0\0\0\2\0\2\0\x08\0", 10);
-        const std::filesystem::path file = folder / "a.tga";
-        write_all(file, header + palette + pixels + footer);
-        return user_error_of([&] { load_colours(file); });
-    };
-    constexpr char plain = 1, packed = 9;
-    CHECK(refusal(0, plain, std::string("\0\1\1\0", 4)) == "");
-    CHECK(refusal(0, packed, std::string("\x81\1\1\0\1", 5)) == "");
-    CHECK(refusal(0, plain, std::string("\0\1\2\0", 4)).find("colour 2, its palette has 2") !=
-          std::string::npos);
-    CHECK(refusal(0, packed, std::string("\x83\xFF", 2)).find("colour 255") != std::string::npos);
-    CHECK(refusal(0x3C, plain, std::string("\0\1\1\0", 4)).find("begins at colour 60") != std::string::npos);
 }
 
 TEST_CASE("damaged picture: blocks of an EXR that hold fewer pixels than they stand for show no memory") {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <random>
+#include <utility>
 
 #include "core/exchange/file_ending.h"
 
@@ -60,6 +62,14 @@ FloatImage quarters(glm::ivec2 size) {
     return image;
 }
 
+FloatImage noise(glm::ivec2 size, int channels) {
+    FloatImage image{size, channels, {}};
+    std::mt19937 random(7);
+    for (int i = 0; i < size.x * size.y * channels; ++i)
+        image.values.push_back(static_cast<float>(random() >> 8) / static_cast<float>(1 << 24));
+    return image;
+}
+
 FloatImage stored(const FloatImage& upright, int orientation) {
     // Where the first row and the first column of the file are seen.
     static constexpr const char* sides[8][2] = {{"top", "left"},     {"top", "right"},  {"bottom", "right"},
@@ -103,14 +113,25 @@ void write_picture(const std::filesystem::path& file, const FloatImage& image,
     REQUIRE(output->close());
 }
 
-std::string hdr_file(const FloatImage& image, const std::string& first_axis, const std::string& second_axis) {
-    std::string bytes = "#?RADIANCE\nSOFTWARE=test\nFORMAT=32-bit_rle_rgbe\n\n" + first_axis + " " +
-                        std::to_string(image.size.y) + " " + second_axis + " " +
-                        std::to_string(image.size.x) + "\n";
-    for (int y = 0; y < image.size.y; ++y)
-        for (int x = 0; x < image.size.x; ++x) {
+// X grows to the right, Y upward: "-Y 4 +X 8" are lines from the largest Y to the smallest, each from the
+// smallest X to the largest. (Radiance file formats, "Picture File Format")
+std::string hdr_file(const FloatImage& upright, const std::string& first, const std::string& second) {
+    const auto length = [&](const std::string& axis) {
+        return axis[1] == 'X' ? upright.size.x : upright.size.y;
+    };
+    const auto after = [&](int steps, const std::string& axis) {
+        return axis[0] == '+' ? steps : length(axis) - 1 - steps;
+    };
+    std::string bytes = "#?RADIANCE\nSOFTWARE=test\nFORMAT=32-bit_rle_rgbe\n\n" + first + " " +
+                        std::to_string(length(first)) + " " + second + " " + std::to_string(length(second)) +
+                        "\n";
+    for (int line = 0; line < length(first); ++line)
+        for (int i = 0; i < length(second); ++i) {
+            int x = after(line, first), up = after(i, second);
+            if (first[1] == 'Y') std::swap(x, up);
+            const float* const rgb = pixel(upright, x, upright.size.y - 1 - up);
             // The exponent of 1 with a mantissa of 128.
-            for (int c = 0; c < 3; ++c) bytes += static_cast<char>(std::lround(128 * pixel(image, x, y)[c]));
+            for (int c = 0; c < 3; ++c) bytes += static_cast<char>(std::lround(128 * rgb[c]));
             bytes += static_cast<char>(129);
         }
     return bytes;

@@ -18,6 +18,9 @@ struct FloatImage {
 // Red, green / blue, white, as it shall be seen.
 FloatImage quarters(glm::ivec2 size = {64, 32});
 
+// Noise that does not compress, so that every part of a file is of use.
+FloatImage noise(glm::ivec2 size, int channels = 3);
+
 // As a camera stores it that was held so; `orientation` is EXIF's. (EXIF 2.3, tag 274)
 FloatImage stored(const FloatImage& upright, int orientation);
 
@@ -32,7 +35,8 @@ void write_picture(const std::filesystem::path& file, const FloatImage& image,
                    const ImageAttributes& attributes = {});
 
 // Byte by byte, for what OpenImageIO does not write.
-std::string hdr_file(const FloatImage& stored, const std::string& first_axis, const std::string& second_axis);
+// The axes as "-Y" and "+X".
+std::string hdr_file(const FloatImage& upright, const std::string& first, const std::string& second);
 std::string targa_file(const FloatImage& upright, bool from_right, bool from_top, bool run_lengths);
 std::string bmp_file(const FloatImage& upright, bool from_top);
 std::string pfm_file(const FloatImage& upright);

@@ -1,5 +1,4 @@
 // Every way in which a format may hold a picture lying or mirrored, and every use that is made of it.
-#include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
 
 #include <array>
@@ -89,21 +88,13 @@ TEST_CASE("picture orientation: EXIF's eight, in PNG and WebP") {
 
 TEST_CASE("picture orientation: the eight orders of HDR's axes") {
     const TemporaryFolder folder;
-    const std::array<std::array<const char*, 2>, 8> axes{{{"-Y", "+X"},
-                                                          {"-Y", "-X"},
-                                                          {"+Y", "-X"},
-                                                          {"+Y", "+X"},
-                                                          {"+X", "-Y"},
-                                                          {"-X", "-Y"},
-                                                          {"-X", "+Y"},
-                                                          {"+X", "+Y"}}};
-    // +X: the columns of the picture follow one another from left to right; -Y: from the top down.
-    for (int i = 0; i < 8; ++i) {
-        const auto& [first, second] = axes[static_cast<std::size_t>(i)];
-        const fs::path file = folder / (std::string(first) + second + ".hdr");
-        write_all(file, hdr_file(stored(quarters(), i + 1), first, second));
-        check_every_use(file);
-    }
+    for (const char* y : {"+Y", "-Y"})
+        for (const char* x : {"+X", "-X"}) {
+            write_all(folder / "lines.hdr", hdr_file(quarters(), y, x));
+            check_every_use(folder / "lines.hdr");
+            write_all(folder / "columns.hdr", hdr_file(quarters(), x, y));
+            check_every_use(folder / "columns.hdr");
+        }
 }
 
 TEST_CASE("picture orientation: formats that store rows or columns the other way") {
