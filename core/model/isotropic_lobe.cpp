@@ -200,8 +200,10 @@ class Curve final : public Isotropic {
         set_pieces(1, std::move(pieces));
     }
 
-    double density(dvec3 h) const override {
-        return shading_.curve_density(h, 0, static_cast<int>(data_.size() / 2));
+    double density(dvec3 h) const override { return shading_.curve_density(h, 0, points()); }
+
+    void densities(const DirectionColumns& h, double* p) const override {
+        lobe_densities({Shading<double>::LOBE_CURVE, {}, data_.data(), points()}, h, p);
     }
 
     std::vector<LobeSpan> spans() const override {
@@ -231,6 +233,8 @@ class Curve final : public Isotropic {
     }
 
   private:
+    int points() const { return static_cast<int>(data_.size() / 2); }
+
     std::vector<float> data_;
     Shading<double> shading_;
 };
