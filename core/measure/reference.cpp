@@ -33,6 +33,9 @@ Reference::Reference(const Design& design)
     describe_layers(design.distribution, distribution_, shading_, data_);
     shading_.data = data_.data();
     const BakePlan plan = plan_bake(design, {Quality::final, true, {}});
+    if (shading_.kinds.visibility == VisibilityKind::correlated)
+        shading_.surface.tables.axis =
+            StretchedGrid(distribution_, plan.symmetry, plan.nodes.psi, false).shape().axis;
     channels_ = plan.fresnel_tables;
     round_ = plan.symmetry.symmetry == Symmetry::isotropic;
     reads_albedo_ =
@@ -48,6 +51,8 @@ double Reference::visibility(dvec3 k) const {
 }
 
 AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
+    if (shading_.kinds.visibility == VisibilityKind::correlated)
+        k = beside_normal(k, shading_.surface.tables.axis);
     return albedo_(
         {shading_, k, projected_area(k), channels_}, [&](dvec3 k2) { return projected_area(k2); }, stop);
 }

@@ -32,6 +32,15 @@ real3 fresnel(real cosine) READS {
     return f;
 }
 
+#if VISIBILITY_CORRELATED
+// k's tangent projection. At n, where none is left, one along the tables' axis: the first row of R's tables holds
+// the limit from there.
+real2 tangent_projection(real3 k) READS {
+    condition upright = abs(k.x) + abs(k.y) < real(1e-15);
+    return real2(select(upright, real(surface.tables.axis.x), k.x), select(upright, real(surface.tables.axis.y), k.y));
+}
+#endif
+
 // P12 / (N c1 c2) with no division by a cosine: N/(G1 G2) for the uncorrelated product (eq. 26), where
 // G = max(g, N c) under clamp, so that P = min(1, N c/g) conserves energy for every p. The correlated forms grow
 // like 1/c where both directions graze, and stop at the largest number.
@@ -48,11 +57,11 @@ real visibility(Direction a, Direction b) READS {
 #if VISIBILITY_CORRELATED
     // (1-t) P1 P2 + t min(P1, P2); min(P1,P2)/(N c1 c2) = 1/max(G1 c2, G2 c1)        (eq. 14)
     if (VISIBILITY_IS_CORRELATED) {
-        real cross_product = a.k.x * b.k.y - a.k.y * b.k.x;
-        real dot_product = a.k.x * b.k.x + a.k.y * b.k.y;
-        // At n itself, where P = 1 and t counts for nothing, no azimuth is left.
-        condition upright = cross_product == real(0.0) && dot_product == real(0.0);
-        real angle = atan(abs(cross_product), select(upright, real(1.0), dot_product)) / surface.correlation;
+        real2 along1 = tangent_projection(a.k);
+        real2 along2 = tangent_projection(b.k);
+        real cross_product = along1.x * along2.y - along1.y * along2.x;
+        real dot_product = along1.x * along2.x + along1.y * along2.y;
+        real angle = atan(abs(cross_product), dot_product) / surface.correlation;
         real t = exp(real(-0.5) * angle * angle);
         v = min((real(1.0) - t) * v + bounded_quotient(t, max(g1 * b.k.z, g2 * a.k.z)), real(LARGEST));
     }
