@@ -145,7 +145,7 @@ Facet LobeWalk::facet(const Ray& ray, double chi) const {
 }
 
 void LobeWalk::add_facets(const WalkPoints& points, WeightedDirections& facets) const {
-    constexpr std::size_t past = 64;  // no vector holds more numbers
+    constexpr std::size_t past = 64;  // no vector of an x86 or ARM processor holds more
     const std::size_t count = points.chi.size(), before = facets.size();
     std::vector<double> columns(5 * count);
     double *x = columns.data(), *y = x + count, *z = y + count, *area = z + count, *p = area + count;
