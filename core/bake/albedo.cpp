@@ -85,9 +85,7 @@ void walk_span(const LobeWalk& walk, std::size_t level, MaskingBends bends, cons
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
                 const double chi = cuts[i], step = cuts[i + 1] - cuts[i];
                 if (!(step > 0)) continue;
-                for (const QuadraturePoint& b : rule.chi)
-                    points.add(ray.cosine, ray.sine, chi + step * b.x,
-                               pi * size * a.weight * step * b.weight);
+                points.add(ray.cosine, ray.sine, chi, step, rule.chi, pi * size * a.weight);
             }
             if (points.chi.size() >= batch) flush();
         }

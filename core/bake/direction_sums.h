@@ -22,8 +22,11 @@ class WeightedDirections {
         z_.push_back(direction.z);
         weight_.push_back(weight);
     }
-    void clear() {
-        for (std::vector<double>* column : {&x_, &y_, &z_, &weight_}) column->clear();
+    void clear() { resize(0); }
+
+    // What is new is to be written to the columns.
+    void resize(std::size_t size) {
+        for (std::vector<double>* column : {&x_, &y_, &z_, &weight_}) column->resize(size);
     }
 
     std::size_t size() const { return x_.size(); }
@@ -31,6 +34,10 @@ class WeightedDirections {
     const double* y() const { return y_.data(); }
     const double* z() const { return z_.data(); }
     const double* weight() const { return weight_.data(); }
+    double* x() { return x_.data(); }
+    double* y() { return y_.data(); }
+    double* z() { return z_.data(); }
+    double* weight() { return weight_.data(); }
 
   private:
     std::vector<double> x_, y_, z_, weight_;

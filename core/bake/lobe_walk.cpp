@@ -37,6 +37,28 @@ HWY_FLATTEN HWY_ATTR void stretch_points(dvec2 stretch, const double* cosine, co
     }
 }
 
+// The points where p is not 0, from the lobe's frame to the surface's, each with the mass of its facets; how
+// many there are. Of a column so many numbers past the last may be written as a vector holds.
+HWY_FLATTEN HWY_ATTR std::size_t place_facets(const PlacedLobe& placed, const DirectionColumns& own,
+                                              const double* p, const double* area, const double* weight,
+                                              double* x, double* y, double* z, double* mass) {
+    const Doubles d;
+    const dvec3 a = placed.frame[0], b = placed.frame[1], c = placed.frame[2];
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < own.size; i += hn::Lanes(d)) {
+        const std::size_t rest = own.size - i;
+        const auto density = load(p + i, rest);
+        const auto some = (density > Real(0.0)).m;
+        const auto hx = load(own.x + i, rest), hy = load(own.y + i, rest), hz = load(own.z + i, rest);
+        hn::CompressStore((hx * a.x + hy * b.x + hz * c.x).v, some, d, x + kept);
+        hn::CompressStore((hx * a.y + hy * b.y + hz * c.y).v, some, d, y + kept);
+        hn::CompressStore((hx * a.z + hy * b.z + hz * c.z).v, some, d, z + kept);
+        const auto all = load(weight + i, rest) * placed.scale * density * load(area + i, rest);
+        kept += hn::CompressStore(all.v, some, d, mass + kept);
+    }
+    return kept;
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace nacre
@@ -46,6 +68,7 @@ HWY_AFTER_NAMESPACE();
 namespace nacre {
 
 HWY_EXPORT(stretch_points);
+HWY_EXPORT(place_facets);
 
 using std::numbers::pi;
 
@@ -122,17 +145,20 @@ Facet LobeWalk::facet(const Ray& ray, double chi) const {
 }
 
 void LobeWalk::add_facets(const WalkPoints& points, WeightedDirections& facets) const {
-    const std::size_t count = points.chi.size();
+    constexpr std::size_t past = 64;  // no vector of an x86 or ARM processor holds more
+    const std::size_t count = points.chi.size(), before = facets.size();
     std::vector<double> columns(5 * count);
     double *x = columns.data(), *y = x + count, *z = y + count, *area = z + count, *p = area + count;
     HWY_DYNAMIC_DISPATCH(stretch_points)
     (span_.stretch, points.cosine.data(), points.sine.data(), points.chi.data(), count, x, y, z, area);
     if (span_.flip < 0) std::transform(z, z + count, z, std::negate());
-    placed_.lobe->densities({x, y, z, count}, p);
-    for (std::size_t i = 0; i < count; ++i)
-        if (p[i] > 0)
-            facets.add(placed_.frame * dvec3(x[i], y[i], z[i]),
-                       points.weight[i] * placed_.scale * p[i] * area[i]);
+    const DirectionColumns own{x, y, z, count};
+    placed_.lobe->densities(own, p);
+    facets.resize(before + count + past);
+    const std::size_t kept = HWY_DYNAMIC_DISPATCH(place_facets)(
+        placed_, own, p, area, points.weight.data(), facets.x() + before, facets.y() + before,
+        facets.z() + before, facets.weight() + before);
+    facets.resize(before + kept);
 }
 
 }  // namespace nacre

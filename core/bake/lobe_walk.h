@@ -5,6 +5,7 @@
 
 #include "core/bake/direction_sums.h"
 #include "core/model/facet_distribution.h"
+#include "core/model/quadrature.h"
 #include "core/model/shading.h"
 
 namespace nacre {
@@ -13,11 +14,18 @@ namespace nacre {
 struct WalkPoints {
     std::vector<double> cosine, sine, chi, weight;
 
-    void add(double cosine_of_psi, double sine_of_psi, double angle, double weight_of_it) {
-        cosine.push_back(cosine_of_psi);
-        sine.push_back(sine_of_psi);
-        chi.push_back(angle);
-        weight.push_back(weight_of_it);
+    // A rule's points on one great circle, over angles from `begin` on.
+    void add(double cosine_of_psi, double sine_of_psi, double begin, double length,
+             const std::vector<QuadraturePoint>& rule, double weight_of_all) {
+        const std::size_t first = chi.size(), count = first + rule.size();
+        cosine.resize(count, cosine_of_psi);
+        sine.resize(count, sine_of_psi);
+        chi.resize(count);
+        weight.resize(count);
+        for (std::size_t i = 0; i < rule.size(); ++i) {
+            chi[first + i] = begin + length * rule[i].x;
+            weight[first + i] = weight_of_all * length * rule[i].weight;
+        }
     }
     void clear() {
         for (std::vector<double>* column : {&cosine, &sine, &chi, &weight}) column->clear();
@@ -40,7 +48,7 @@ class LobeWalk {
     // The facet at chi on a ray and p dh/(dpsi dchi).
     Facet facet(const Ray& ray, double chi) const;
 
-    // The same for many points, each times its weight.
+    // The same for many points, each times its weight; those without facets are left out.
     void add_facets(const WalkPoints& points, WeightedDirections& facets) const;
 
     // psi runs over two halves, [start, start + pi] and on, parted where the facets turn from k1.

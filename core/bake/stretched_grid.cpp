@@ -17,9 +17,8 @@ constexpr double smallest_width = 1e-6;
 // slanted velvet: 0.8 to 0.85 errs least).
 constexpr double lean_most = 0.8;
 
-// The sine of the first column's theta: a masking that is correlated by azimuth has another limit at n from
-// every side, and each row holds its own.
-constexpr double beside_normal = 1e-9;
+// The sine of the first column's theta, where each row of R holds its own limit at n.
+constexpr double least_sine = 1e-9;
 
 // The inverse of quarter_turns(): t of the cubic t (6 - t^2)/5 = u is 2 r sin(a), r^2 = 2, sin(3 a) = 5/2
 // u/r^3.
@@ -119,6 +118,10 @@ double row_turns(double row, int nodes, Symmetry symmetry) {
     return 0;
 }
 
+dvec3 beside_normal(dvec3 k, dvec2 axis) {
+    return std::hypot(k.x, k.y) < least_sine ? dvec3{axis * least_sine, 1} : k;
+}
+
 StretchedGrid::StretchedGrid(const FacetDistribution& distribution, const DistributionSymmetry& symmetry,
                              int nodes_psi, bool without_moment)
     : symmetry_(symmetry.symmetry) {
@@ -171,7 +174,7 @@ dvec3 StretchedGrid::area_direction(double w, double row) const {
 dvec3 StretchedGrid::albedo_direction(double v, double row, int nodes_rho) const {
     const dvec2 e = turned(azimuth_at_rho(row_turns(row, nodes_rho, symmetry_), shading_));
     const dvec2 polar =
-        v > 0 ? glm::normalize(dvec2{cotangent_at_v(v, cotangent_scale(e)), 1}) : dvec2{1, beside_normal};
+        v > 0 ? glm::normalize(dvec2{cotangent_at_v(v, cotangent_scale(e)), 1}) : dvec2{1, least_sine};
     return {e * polar.y, polar.x};
 }
 

@@ -16,6 +16,10 @@ dvec2 azimuth_at_rho(double rho, const Shading<double>& shading);
 // psi or rho at a row of so many, also between two of them, quarter turns.
 double row_turns(double row, int nodes, Symmetry symmetry);
 
+// k, or where k is n itself the direction just beside it on the tables' axis, toward which R is meant there:
+// a masking that is correlated by azimuth has another limit at n from every side.
+dvec3 beside_normal(dvec3 k, dvec2 axis);
+
 class StretchedGrid {
   public:
     // Measures p: g(n), its width D(phi) at grazing, the ellipse of that width and how far p leans; its

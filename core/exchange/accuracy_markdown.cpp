@@ -188,7 +188,8 @@ std::string accuracy_markdown(const std::vector<DesignAccuracy>& designs) {
     text += fmt::format(
         "\nThe error of g is relative, that of R (with F = 1 and with Schlick's factor of f0 = 0) absolute, "
         "both the "
-        "worst of a fixed set of directions that reaches from the normal to grazing. Times are from the "
+        "worst of a fixed set of directions that reaches from the normal to grazing. Times are the "
+        "processor's, from the "
         "design to the "
         "table, with one thread; that of R holds that of g.\n\n## Summary\n\nWorst error of g:\n\n{}\nWorst "
         "error of R:\n\n{}\nA second opinion "

@@ -44,6 +44,19 @@ std::string constructor(const char* name, const Struct& value, const std::string
     return text + ")";
 }
 
+// Stands in the text, where GLSL has no such sign, for the tables' numbers: they hold no names.
+constexpr char numbers_here = '@';
+
+std::string numbers(const std::vector<float>& data) {
+    std::string text;
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        if (i > 0) text += ',';
+        text += i % 12 == 0 ? "\n    " : " ";
+        text += number(static_cast<double>(data[i]));
+    }
+    return text;
+}
+
 std::string constants(const Tables& tables) {
     const Shading<double>& shading = tables.shading;
     std::string text = fmt::format(
@@ -54,12 +67,8 @@ std::string constants(const Tables& tables) {
     for (int i = 0; i < shading.layer_count; ++i)
         text +=
             "    " + constructor("Layer", shading.layers[i]) + (i + 1 < shading.layer_count ? ",\n" : ");\n");
-    text += fmt::format("\nconst float data[{}] = float[{}](", tables.data.size(), tables.data.size());
-    for (std::size_t i = 0; i < tables.data.size(); ++i) {
-        if (i > 0) text += ',';
-        text += i % 12 == 0 ? "\n    " : " ";
-        text += number(static_cast<double>(tables.data[i]));
-    }
+    text += fmt::format("\nconst float data[{}] = float[{}]({}", tables.data.size(), tables.data.size(),
+                        numbers_here);
     return text + ");\n\nfloat fetch(int index) {\n    return data[index];\n}\n";
 }
 
@@ -106,7 +115,9 @@ std::string glsl_export(const Design& design, const Tables& tables, const std::s
     if (tables.plan.albedo)
         head +=
             fmt::format("// vec3 {}_albedo(vec3 k): albedo of the whole BRDF toward k, k.z > 0.\n", prefix);
-    std::string text = head + prefixed(without_comments(body), prefix);
+    std::string text = prefixed(without_comments(body), prefix);
+    text.replace(text.find(numbers_here), 1, numbers(tables.data));
+    text.insert(0, head);
     if (tables.plan.albedo)
         text += fmt::format(
             "\nvec3 {0}_albedo(vec3 k) {{\n    return {0}_total_albedo({0}_direction(k));\n}}\n", prefix);

@@ -24,7 +24,7 @@ const char* name_of(Quantity quantity);  // g, R1, R0
 struct AccuracyPoint {
     std::string setting;
     Quantity quantity = Quantity::area;
-    double seconds = 0;     // from the design to the table, with one thread: the shortest of several runs
+    double seconds = 0;     // of the processor, from the design to the table: the shortest of several runs
     std::size_t bytes = 0;  // of all that is stored; with R, g is among it
     TableError error;
 };

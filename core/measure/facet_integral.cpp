@@ -16,7 +16,8 @@ using Pair = Values<2>;
 
 constexpr double check_tolerance = 1e-9;
 constexpr int depth = 18;
-constexpr int grid_side = 1500;  // points along azimuth and along the angle from the axis, with a picture
+constexpr int grid_side =
+    1500;  // points along azimuth and along the angle from the axis, of a modulated lobe
 
 // p and (k.h)+ p over one hemisphere, the second divided by `unit`.
 class SpanIntegral {
@@ -85,6 +86,16 @@ class SpanIntegral {
     const std::stop_token& stop_;
 };
 
+// A painted p by its own cells.
+void add_points(FacetIntegral& sum, const PlacedLobe& placed, dvec3 k, const std::stop_token& stop) {
+    const dvec3 own = glm::transpose(placed.frame) * k;
+    placed.lobe->visit_points([&](const Facet& facet) {
+        if (stop.stop_requested()) throw BakeCancelled();
+        sum.whole += placed.scale * facet.mass;
+        sum.visible += placed.scale * facet.mass * std::fmax(glm::dot(facet.h, own), 0.0);
+    });
+}
+
 }  // namespace
 
 bool holds_picture(const Distribution& design) {
@@ -99,9 +110,13 @@ FacetIntegral integrate_facets(const Distribution& design, const FacetDistributi
     FacetIntegral sum;
     for (const PlacedLobe& placed : distribution.lobes()) {
         const Layer& layer = design.layers[placed.layer];
+        if (std::holds_alternative<PaintedLobe>(layer.lobe)) {
+            add_points(sum, placed, k, stop);
+            continue;
+        }
         for (const LobeSpan& span : placed.lobe->domains()) {
             const SpanIntegral integral(placed, span, k, unit, check_tolerance, stop);
-            const Pair values = holds_picture(layer) ? integral.on_grid() : integral.adaptive();
+            const Pair values = layer.modulation ? integral.on_grid() : integral.adaptive();
             sum.whole += values[0];
             sum.visible += values[1] * unit;
         }

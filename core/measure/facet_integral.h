@@ -13,8 +13,9 @@ struct FacetIntegral {
     double visible = 0;  // integral of (k.h)+ p(h) dh
 };
 
-// Adaptive for smooth lobes (1e-8 of either), a dense fixed grid where a picture takes part
-// (about 1e-5, 1e-4 where its texels are noise).
+// Adaptive for smooth lobes (1e-8 of either), between the texels of a painted one (the whole as close, about
+// 1e-5 of what k sees), on a dense fixed grid where a smooth lobe is modulated (about 1e-5, 1e-4 where texels
+// are noise).
 FacetIntegral integrate_facets(const Distribution& design, const FacetDistribution& distribution, dvec3 k,
                                std::stop_token stop = {});
 

@@ -203,6 +203,10 @@ class Curve final : public Isotropic {
 
     double density(dvec3 h) const override { return shading_.curve_lobe(layer_, h); }
 
+    void densities(const DirectionColumns& h, double* p) const override {
+        lobe_densities({kind_index<Lobe, CurveLobe>(), {}, data_.data(), layer_.data_size}, h, p);
+    }
+
     std::vector<LobeSpan> spans() const override {
         LobeSpan above, below;
         below.flip = -1;

@@ -9,7 +9,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
-#include <cmath>
+#include <numbers>
 #include <type_traits>
 
 #include "core/model/parameter_fields.h"
@@ -74,14 +74,15 @@ struct LaneReals {
         return min(max(a, low), high);
     }
 
-    // One lane at a time: what reads it is rare.
+    // Of the smaller over the larger, so that nothing overflows; (0, 0) has no angle, as in GLSL.
     HWY_ATTR friend LaneReals atan(LaneReals y, LaneReals x) {
-        constexpr std::size_t most = hn::MaxLanes(D());
-        HWY_ALIGN Number ys[most], xs[most];
-        hn::Store(y.v, D(), ys);
-        hn::Store(x.v, D(), xs);
-        for (std::size_t i = 0; i < hn::Lanes(D()); ++i) ys[i] = std::atan2(ys[i], xs[i]);
-        return LaneReals(hn::Load(D(), ys));
+        const LaneReals across = abs(y), along = abs(x), quarter(0.5 * std::numbers::pi);
+        const LaneMask<D> steep = along < across;
+        const LaneReals slope = select(steep, along, across) / select(steep, across, along);
+        LaneReals angle(hn::Atan(D(), slope.v));
+        angle = select(steep, quarter - angle, angle);
+        angle = select(x < LaneReals(0.0), LaneReals(std::numbers::pi) - angle, angle);
+        return LaneReals(hn::CopySign(angle.v, y.v));
     }
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/model/facet_lobe.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/pyramid_tile.h"
 #include "core/model/visible_sampler.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int tile_side = tile_side_most;
 constexpr std::size_t tile_cells = static_cast<std::size_t>(tile_side) * tile_side;
+constexpr int tile_leaves_side = tile_side / 4;
 constexpr std::size_t tiles_most = 256;
 constexpr std::size_t sketched = 4096;  // facets of each lobe by which the tiles are laid out
 constexpr double least_size = 1e-7;     // of a tile
@@ -36,13 +38,22 @@ struct SketchedFacet {
     double mass;
 };
 
+// What spreads over the facets of a leaf: the sum of mass (S + 6 u u'), u = h - origin, because a tent of
+// half-width a has a variance of a^2/6.
+struct LeafSum {
+    dvec3 origin{0};  // about one of them: nothing cancels
+    Spread sum;
+};
+
 // A square of the octahedral square: parted in four, or a tile of cells.
 struct Square {
     dvec2 corner;
     double size;
     int first_child = -1;
     std::vector<SketchedFacet> facets = {};  // until it is parted
-    std::vector<dvec3> cells = {};           // the moment in each, row by row; none before the first facet
+    // Row by row, none before the first facet: the moment in each cell, and what lies in each leaf.
+    std::vector<dvec3> cells = {};
+    std::vector<LeafSum> leaves = {};
 
     double weight() const {
         double mass = 0;
@@ -84,47 +95,74 @@ std::vector<Square> lay_out(std::vector<SketchedFacet> facets) {
     return squares;
 }
 
-void put(std::vector<Square>& squares, const Facet& facet) {
-    const dvec2 at = octahedral(facet.h);
+std::size_t leaf_at(int row, int column) {
+    return static_cast<std::size_t>(row / 4 * tile_leaves_side + column / 4);
+}
+
+void put(std::vector<Square>& squares, dvec3 moment, const Spread& spread) {
+    const double mass = glm::length(moment);
+    const dvec3 h = moment / mass;
+    const dvec2 at = octahedral(h);
     std::size_t index = 0;
     while (squares[index].first_child >= 0)
         index = static_cast<std::size_t>(squares[index].first_child + child_of(at, squares[index]));
     Square& tile = squares[index];
-    if (tile.cells.empty()) tile.cells.resize(tile_cells, dvec3{0});
+    tile.cells.resize(tile_cells, dvec3{0});
+    tile.leaves.resize(tile_cells / 16);
     const dvec2 place = (at - tile.corner) * (tile_side / tile.size);
     const int row = std::clamp(static_cast<int>(place.y), 0, tile_side - 1);
     const int column = std::clamp(static_cast<int>(place.x), 0, tile_side - 1);
-    tile.cells[static_cast<std::size_t>(row * tile_side + column)] += facet.mass * facet.h;
+    tile.cells[static_cast<std::size_t>(row * tile_side + column)] += moment;
+    LeafSum& leaf = tile.leaves[leaf_at(row, column)];
+    if (leaf.origin == dvec3{0}) leaf.origin = h;
+    leaf.sum += mass * spread;
+    leaf.sum += 6 * mass * spread_along(h - leaf.origin);
 }
 
-std::shared_ptr<const PyramidTile> tile_of(const std::vector<dvec3>& cells) {
+std::shared_ptr<const PyramidTile> tile_of(const Square& tile) {
     std::vector<Facet> facets(tile_cells, Facet{dvec3{0}, 0});
-    for (std::size_t i = 0; i < tile_cells; ++i) {
-        const dvec3 moment = cells[static_cast<std::size_t>(morton_row(i) * tile_side + morton_column(i))];
-        const double length = glm::length(moment);
-        if (length > 0) facets[i] = {moment / length, length};
+    std::vector<Spread> spreads(tile_cells / 16);
+    for (std::size_t first = 0; first < tile_cells; first += 16) {
+        LeafSum leaf = tile.leaves[leaf_at(morton_row(first), morton_column(first))];
+        double mass = 0;
+        for (std::size_t i = first; i < first + 16; ++i) {
+            const dvec3 moment =
+                tile.cells[static_cast<std::size_t>(morton_row(i) * tile_side + morton_column(i))];
+            const double length = glm::length(moment);
+            if (!(length > 0)) continue;
+            facets[i] = {moment / length, length};
+            leaf.sum += -6 * length * spread_along(facets[i].h - leaf.origin);
+            mass += length;
+        }
+        for (double* square : {&leaf.sum.xx, &leaf.sum.yy, &leaf.sum.zz}) *square = std::max(*square, 0.0);
+        if (mass > 0) spreads[first / 16] = (1 / mass) * leaf.sum;
     }
-    return std::make_shared<const PyramidTile>(make_tile(facets, std::vector<Spread>(tile_cells / 16)));
+    return std::make_shared<const PyramidTile>(make_tile(facets, spreads));
 }
 
-std::vector<Facet> placed_facets(const PlacedLobe& placed, std::size_t count) {
-    std::vector<Facet> facets = placed.lobe->facets(count);
-    for (Facet& facet : facets) facet = {placed.frame * facet.h, placed.scale * facet.mass};
-    return facets;
+// Every facet of a lobe into the tile where it lies. A patch that the lobe's horizon cuts spreads less.
+void put_all(std::vector<Square>& squares, const PlacedLobe& placed) {
+    const auto& lobe = dynamic_cast<const FacetLobe&>(*placed.lobe);
+    lobe.visit_leaves([&](const LeafBlock& leaf) {
+        const Spread spread = rotated(leaf.spread, placed.frame);
+        for (std::size_t i = 0; i < 16; ++i) {
+            const dvec3 moment = moment_at(leaf, i);
+            const double length = glm::length(moment), part = leaf.share[i] / length;
+            if (length > 0) put(squares, placed.frame * (placed.scale * moment), part * part * spread);
+        }
+    });
 }
 
 MomentPyramid pyramid_of(const std::vector<PlacedLobe>& lobes) {
     std::vector<SketchedFacet> sketch;
     for (const PlacedLobe& placed : lobes)
-        for (const Facet& facet : placed_facets(placed, sketched))
-            sketch.push_back({octahedral(facet.h), facet.mass});
+        for (const Facet& facet : placed.lobe->facets(sketched))
+            sketch.push_back({octahedral(placed.frame * facet.h), placed.scale * facet.mass});
     std::vector<Square> squares = lay_out(std::move(sketch));
-    for (const PlacedLobe& placed : lobes)
-        for (const Facet& facet : placed_facets(placed, 0)) put(squares, facet);
+    for (const PlacedLobe& placed : lobes) put_all(squares, placed);
     std::erase_if(squares, [](const Square& square) { return square.cells.empty(); });
     std::vector<std::shared_ptr<const PyramidTile>> tiles(squares.size());
-    tbb::parallel_for(std::size_t{0}, tiles.size(),
-                      [&](std::size_t i) { tiles[i] = tile_of(squares[i].cells); });
+    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) { tiles[i] = tile_of(squares[i]); });
     return MomentPyramid(std::move(tiles));
 }
 

@@ -16,10 +16,9 @@ std::size_t count_facets(const Distribution& design);
 inline constexpr std::size_t many_facets = std::size_t{1} << 21;
 
 // The same p, its smooth lobes as they are and all facets in one lobe: about a million cells of the sphere,
-// small where there are many facets, each of which stands for what falls into it. g is off by the facets in
-// the cells that the great circle h.k = 0 passes, a few millionths of p's width, and by how far
-// each facet spreads, which counts where rasters are coarse; merging_error() tells.
-// `distribution` is that of `design`.
+// small where there are many facets, each of which stands for what falls into it and spreads as far, the mean
+// of sixteen neighbours. g is off by some millionths at the most; merging_error() tells. `distribution` is
+// that of `design`.
 std::shared_ptr<const FacetDistribution> merge_facets(const Distribution& design,
                                                       const FacetDistribution& distribution);
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/model/facet_lobe.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/picture_lobe.h"
 #include "core/model/picture_reader.h"
@@ -15,7 +16,7 @@ namespace {
 
 // The base lobe's own coordinates carry the facets, so that a narrow lobe is resolved whatever the picture's
 // size.
-class Modulated final : public LobeModel {
+class Modulated final : public FacetLobe {
   public:
     Modulated(std::shared_ptr<const LobeModel> base, const Modulation& modulation, Fineness fineness)
         : base_(std::move(base)),
@@ -55,7 +56,6 @@ class Modulated final : public LobeModel {
         return sum;
     }
 
-    std::vector<LobeSpan> spans() const override { return {}; }
     std::vector<LobeSpan> domains() const override { return base_->domains(); }
 
     std::vector<Facet> facets(std::size_t count) const override {
@@ -65,6 +65,10 @@ class Modulated final : public LobeModel {
             all.insert(all.end(), part.begin(), part.end());
         }
         return all;
+    }
+
+    void visit_leaves(const std::function<void(const LeafBlock&)>& visit) const override {
+        for (const MomentPyramid& pyramid : pyramids_) pyramid.visit_leaves(visit);
     }
 
     void visit_points(const std::function<void(const Facet&)>& visit) const override {

@@ -94,6 +94,11 @@ void MomentPyramid::add_up() {
     }
 }
 
+void MomentPyramid::visit_leaves(const std::function<void(const LeafBlock&)>& visit) const {
+    for (const auto& tile : top_.tiles)
+        for (const LeafBlock& leaf : tile->leaves) visit(leaf);
+}
+
 std::vector<Facet> MomentPyramid::facets(std::size_t count) const {
     std::vector<Facet> result;
     auto add = [&](dvec3 moment) {
@@ -101,9 +106,9 @@ std::vector<Facet> MomentPyramid::facets(std::size_t count) const {
         if (length > 0) result.push_back({moment / length, length});
     };
     if (count == 0) {
-        for (const auto& tile : top_.tiles)
-            for (const LeafBlock& leaf : tile->leaves)
-                for (std::size_t i = 0; i < 16; ++i) add(moment_at(leaf, i));
+        visit_leaves([&](const LeafBlock& leaf) {
+            for (std::size_t i = 0; i < 16; ++i) add(moment_at(leaf, i));
+        });
         return result;
     }
     std::priority_queue<OpenCell> open;

@@ -43,6 +43,9 @@ class MomentPyramid {
     // cell's own moment: the cell that errs most, by mass and square of size, is parted first.
     std::vector<Facet> facets(std::size_t count) const;
 
+    // All facets, sixteen at a time.
+    void visit_leaves(const std::function<void(const LeafBlock&)>& visit) const;
+
     // Index (row * side + column) of a facet, drawn with the probability mass (h.k)+ / g(k); g(k) > 0.
     std::size_t sample_visible(dvec3 k, Random& random) const;
 

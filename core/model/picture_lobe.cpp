@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/model/disk_quadrature.h"
+#include "core/model/facet_lobe.h"
 #include "core/model/lobe_densities.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/picture_reader.h"
@@ -51,7 +52,7 @@ int tents_a_texel(const Raster& raster, Fineness fineness) {
 
 // p is bilinear between texel centres, so that it is the sum of tents; where there are few, each texel's is
 // the sum of finer ones, whose middles lie on the texels' and evenly between.
-class Painted final : public LobeModel {
+class Painted final : public FacetLobe {
   public:
     Painted(const PaintedLobe& lobe, const std::optional<Modulation>& modulation, Fineness fineness)
         : given_(lobe.image.raster), picture_(*given_), modulation_(modulation) {
@@ -115,9 +116,11 @@ class Painted final : public LobeModel {
     Area area(dvec3 k) const override { return pyramid_->area(k); }
     double projected_area(dvec3 k) const override { return pyramid_->projected_area(k); }
     dvec3 mean() const override { return pyramid_->mean(); }
-    std::vector<LobeSpan> spans() const override { return {}; }
     std::vector<LobeSpan> domains() const override { return {LobeSpan{}}; }
     std::vector<Facet> facets(std::size_t count) const override { return pyramid_->facets(count); }
+    void visit_leaves(const std::function<void(const LeafBlock&)>& visit) const override {
+        pyramid_->visit_leaves(visit);
+    }
 
     void visit_points(const std::function<void(const Facet&)>& visit) const override {
         visit_disk(given_->width, factor_ ? factor_->side() : 0, [&](dvec2 at, double solid_angle) {

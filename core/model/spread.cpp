@@ -11,6 +11,18 @@ Spread& Spread::operator+=(const Spread& other) {
     return *this;
 }
 
+Spread operator*(double factor, Spread spread) {
+    for (double* s : {&spread.xx, &spread.yy, &spread.zz, &spread.xy, &spread.xz, &spread.yz}) *s *= factor;
+    return spread;
+}
+
+Spread rotated(const Spread& spread, const glm::dmat3& rotation) {
+    const glm::dmat3 s{spread.xx, spread.xy, spread.xz, spread.xy, spread.yy,
+                       spread.yz, spread.xz, spread.yz, spread.zz};
+    const glm::dmat3 r = rotation * s * glm::transpose(rotation);
+    return {r[0][0], r[1][1], r[2][2], r[0][1], r[0][2], r[1][2]};
+}
+
 double Spread::half_width() const {
     const double trace = xx + yy + zz;
     const double squares = xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz);

@@ -11,10 +11,14 @@ struct Spread {
     double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 
     Spread& operator+=(const Spread& other);
+    friend Spread operator*(double factor, Spread spread);
 
     // The largest a, of a spread along two directions.
     double half_width() const;
 };
+
+// The same patch after a rotation.
+Spread rotated(const Spread& spread, const glm::dmat3& rotation);
 
 // S = u u' + v v' + ...: of tents with half-widths u and v.
 Spread spread_along(dvec3 u);

@@ -1,5 +1,5 @@
 // nacre-claims-bench: do the errors of g and R that a bake claims hold on directions that took no part?
-//   nacre-claims-bench [--directions N] [--mixtures FIRST LAST] [--sweep] [DESIGN.nacre ...]
+//   nacre-claims-bench [--directions OF_G OF_R] [--mixtures FIRST LAST] [--sweep] [DESIGN.nacre ...]
 // A line a design: sizes, seconds of processor time, then of g and of R the claim, the worst error found and
 // where it is. At the end how often more was found than is allowed, and the median of claim/found.
 #include <fmt/core.h>
@@ -45,7 +45,9 @@ struct Tally {
 
 class ClaimsBench {
   public:
-    explicit ClaimsBench(int directions) : directions_(held_out_directions(directions, 77)) {}
+    ClaimsBench(int of_area, int of_albedo)
+        : area_directions_(held_out_directions(of_area, 77)),
+          albedo_directions_(held_out_directions(of_albedo, 78)) {}
 
     void judge(const std::string& name, const Design& design) {
         std::shared_ptr<const Tables> tables;
@@ -57,7 +59,8 @@ class ClaimsBench {
         }
         const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
         const TableSize& nodes = tables->plan.nodes;
-        const HeldOutError g = held_out_area(*tables, directions_), R = held_out_albedo(*tables, directions_);
+        const HeldOutError g = held_out_area(*tables, area_directions_),
+                           R = held_out_albedo(*tables, albedo_directions_);
         area_.add(tables->errors.area, tables->tolerance, g);
         albedo_.add(tables->errors.albedo, tables->tolerance, R);
         seconds_ += seconds;
@@ -90,7 +93,7 @@ class ClaimsBench {
                    static_cast<double>(place.rho.first) + place.rho.fraction);
     }
 
-    std::vector<dvec3> directions_;
+    std::vector<dvec3> area_directions_, albedo_directions_;
     Tally area_{"g"}, albedo_{"R"};
     double seconds_ = 0;
 };
@@ -99,14 +102,14 @@ class ClaimsBench {
 
 int main(int count, char** values) {
     const std::vector<std::string> words(values + 1, values + count);
-    int directions = 2000;
+    int of_area = 20000, of_albedo = 2000;
     auto number = [&](std::size_t i) { return i < words.size() ? std::atoi(words[i].c_str()) : 0; };
     for (std::size_t i = 0; i < words.size(); ++i)
-        if (words[i] == "--directions") directions = number(i + 1);
-    ClaimsBench bench(std::max(directions, 4));
+        if (words[i] == "--directions") of_area = number(i + 1), of_albedo = number(i + 2);
+    ClaimsBench bench(std::max(of_area, 4), std::max(of_albedo, 4));
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "--directions") {
-            ++i;
+            i += 2;
         } else if (words[i] == "--mixtures") {
             for (int seed = number(i + 1); seed <= number(i + 2); ++seed)
                 bench.judge(fmt::format("mixture {}", seed), random_mixture(static_cast<unsigned>(seed)));

@@ -112,11 +112,22 @@ TEST_CASE("claims hold: random mixtures that lean" * doctest::skip(slow)) {
     }
 }
 
-TEST_CASE("next to n a correlated masking has a limit for every azimuth, which R's rows hold") {
+TEST_CASE(
+    "next to n a correlated masking has a limit for every azimuth, which R's rows hold; n has one of them") {
     const Design design = random_mixture(11);
     REQUIRE(std::holds_alternative<CorrelatedMasking>(design.shadowing.model));
     const auto tables = bake(design, {.albedo = true});
     const Reference reference(design);
+    const dvec3 n{0, 0, 1};
+    const dvec2 axis = tables->shading.surface.tables.axis;
+    const double at_normal = reference.albedo(n)[0];
+    CHECK(at_normal == doctest::Approx(reference.albedo({1e-6 * axis, 1})[0]).epsilon(1e-4));
+    CHECK(std::fabs(read_albedo(tables->shading, n, 1)[0] - at_normal) < 1e-3);
+    const dvec3 other = polar(0.7, 2);
+    const dvec3 along =
+        reference.shading().specular(reference.direction({1e-6 * axis, 1}), reference.direction(other));
+    const dvec3 exact = reference.shading().specular(reference.direction(n), reference.direction(other));
+    CHECK(exact.x == doctest::Approx(along.x).epsilon(1e-4));
     for (const double phi : {0.3, 2.0, 4.4}) {
         const dvec3 k = polar(std::cos(1e-3), phi);
         CHECK(std::fabs(read_albedo(tables->shading, k, 1)[0] - reference.albedo(k)[0]) < 1e-3);

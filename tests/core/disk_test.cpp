@@ -7,10 +7,12 @@
 #include <numbers>
 
 #include "core/bake/bake.h"
+#include "core/measure/facet_integral.h"
 #include "core/measure/reference.h"
 #include "core/model/disk_texels.h"
 #include "core/model/facet_distribution.h"
 #include "core/model/quadrature.h"
+#include "tests/core/big_design.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 
@@ -246,4 +248,16 @@ TEST_CASE("the exact R of a picture is the integral over its facets") {
           glm::normalize(dvec3(0.2, 0.3, 1)));
     check(modulated(GgxLobe{0.3, 0.3}, noise(5, 1, random), 0.9), 5, 0.3,
           glm::normalize(dvec3(-0.9, 0.3, 0.1)));
+}
+
+TEST_CASE("the integrals of p by which a design is checked see texels that stand alone") {
+    Random random(5);
+    const Design design = test::design_of(PaintedLobe{test::random_picture(512, 2, random)}, 30);
+    const FacetDistribution p(design.distribution);
+    for (const double c : {0.3, 0.8}) {
+        const dvec3 k{std::sqrt(1 - c * c), 0, c};
+        const FacetIntegral integral = integrate_facets(design.distribution, p, k);
+        CHECK(integral.whole == doctest::Approx(1).epsilon(1e-6));
+        CHECK(integral.visible == doctest::Approx(p.projected_area(k)).epsilon(1e-5));
+    }
 }
