@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> SceneOptions::files() const {
     const std::vector<std::string> objects = object_names();
     if (std::find(objects.begin(), objects.end(), object) == objects.end()) files.emplace_back(object);
     const auto& known = procedural_environments();
-    const auto is_this = [&](const EnvironmentName& each) { return each.name == environment; };
+    const auto is_this = [&](const ProceduralEnvironment* each) { return each->name == environment; };
     if (environment == stream_name)
         files.emplace_back("/dev/stdin");
     else if (!environment.empty() && std::none_of(known.begin(), known.end(), is_this))
@@ -98,7 +98,7 @@ void add_scene_options(Command& command, SceneOptions& options) {
         .within(-360, 360);
     command.option("--exposure", options.exposure, "EV (default 0)").within(-20, 20);
     std::vector<std::string> names;
-    for (const EnvironmentName& known : procedural_environments()) names.push_back(known.name);
+    for (const ProceduralEnvironment* known : procedural_environments()) names.emplace_back(known->name);
     command.option(
         "--environment", options.environment,
         fmt::format(

@@ -28,20 +28,28 @@ FileQuestion picture_question(const fs::path& folder) {
                         ".tga", ".bmp", ".psd", ".dds", ".jp2", ".j2k", ".heic", ".heif", ".avif"}};
 }
 
+// An entry of the list of environments; without words about it, it speaks for itself.
+struct Entry {
+    std::string name;  // as surroundings are called
+    std::string label;
+    const char* about = nullptr;
+};
+
 // A list whose entries can be found by their labels. Returns whether another was chosen.
-bool choose(const std::vector<std::string>& labels, std::size_t& chosen) {
+bool choose(const std::vector<Entry>& entries, std::size_t& chosen) {
     constexpr const char* about =
         "Light from all around in place of the lights: a picture of the surroundings by latitude and "
         "longitude, "
         "whose middle stands behind the object. The preview grows finer while nothing moves.";
     const std::size_t before = chosen;
     ui::row_label("Environment", about);
-    if (ImGui::BeginCombo("##Environment", labels[chosen].c_str())) {
-        for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (ImGui::BeginCombo("##Environment", entries[chosen].label.c_str())) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
             ImGui::PushID(static_cast<int>(i));
-            if (ImGui::Selectable(labels[i].c_str(), i == before)) chosen = i;
+            if (ImGui::Selectable(entries[i].label.c_str(), i == before)) chosen = i;
             ImGui::PopID();
-            ui::note_item(labels[i]);
+            ui::note_item(entries[i].label);
+            if (entries[i].about) ui::tooltip_for_item(entries[i].about);
         }
         ImGui::EndCombo();
     }
@@ -52,7 +60,8 @@ bool choose(const std::vector<std::string>& labels, std::size_t& chosen) {
 
 bool is_procedural(const std::string& name) {
     const auto& known = procedural_environments();
-    return std::any_of(known.begin(), known.end(), [&](const EnvironmentName& e) { return e.name == name; });
+    return std::any_of(known.begin(), known.end(),
+                       [&](const ProceduralEnvironment* e) { return e->name == name; });
 }
 
 }  // namespace
@@ -74,26 +83,25 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
     if (wanted_) present = *wanted_;
     if (!present.empty() && !is_procedural(present)) last_file_ = present;
 
-    std::vector<std::string> names = {""}, labels = {"None"};
-    for (const EnvironmentName& known : procedural_environments()) {
-        names.push_back(known.name);
-        labels.push_back(known.label);
-    }
-    if (!last_file_.empty()) {
-        names.push_back(last_file_);
-        labels.push_back(ui::as_label(fs::path(last_file_).filename().string()));
-    }
-    labels.emplace_back("Open picture\u2026");
-    auto chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), present) - names.begin());
-    if (choose(labels, chosen)) {
-        if (chosen == names.size()) {
+    std::vector<Entry> entries = {{"", "None"}};
+    for (const ProceduralEnvironment* known : procedural_environments())
+        entries.push_back({known->name, known->label, known->about});
+    if (!last_file_.empty())
+        entries.push_back({last_file_, ui::as_label(fs::path(last_file_).filename().string())});
+    const std::size_t open_picture = entries.size();
+    const auto is_present = [&](const Entry& entry) { return entry.name == present; };
+    auto chosen =
+        static_cast<std::size_t>(std::find_if(entries.begin(), entries.end(), is_present) - entries.begin());
+    entries.push_back({"", "Open picture\u2026"});
+    if (choose(entries, chosen)) {
+        if (chosen == open_picture) {
             chooser_.ask(picture_question(fs::path(last_file_).parent_path()), dialogs);
         } else if (chosen == 0) {
             surroundings.picture.reset();
             held_.clear();
             wanted_.reset();
         } else {
-            want(names[chosen]);
+            want(entries[chosen].name);
         }
     }
     if (!surroundings.picture) return;

@@ -38,8 +38,8 @@ int main(int argc, char** argv) {
     Preview preview;
     const ViewedPoints points(preview, side, points_wanted);
     std::vector<std::shared_ptr<const Environment>> environments;
-    for (const EnvironmentName& known : procedural_environments())
-        environments.push_back(make_environment(known.name, *procedural_environment(known.name)));
+    for (const ProceduralEnvironment* known : procedural_environments())
+        environments.push_back(make_environment(known->name, *procedural_environment(known->name)));
 
     fmt::print("| preset |");
     for (const auto& environment : environments) fmt::print(" {} |", environment->name);

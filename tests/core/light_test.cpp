@@ -162,8 +162,8 @@ TEST_CASE("light is drawn from what the picture holds, and from nothing where th
 }
 
 TEST_CASE("the procedural environments hold what their names say") {
-    for (const EnvironmentName& known : procedural_environments()) {
-        const auto picture = procedural_environment(known.name, 64);
+    for (const ProceduralEnvironment* known : procedural_environments()) {
+        const auto picture = procedural_environment(known->name, 64);
         REQUIRE(picture);
         CHECK(picture->radiance.size() == 64 * 32);
         for (const glm::vec3& light : picture->radiance) CHECK(light.x + light.y + light.z > 0);

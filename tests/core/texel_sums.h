@@ -21,7 +21,7 @@ struct TexelSums {
 };
 
 // Relatively: H and N are sums of whole facets; g is also of those that are seen in part.
-inline constexpr double moment_tolerance = 1e-11, area_tolerance = 1e-8;
+inline constexpr double moment_tolerance = 1e-11, area_tolerance = 5e-8;
 
 // A texel off the disk is read as the nearest on it, several as near as their mean.
 inline double texel_read(const Raster& raster, int row, int column) {

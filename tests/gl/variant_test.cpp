@@ -149,7 +149,7 @@ TEST_CASE("a variant's text is a function of its value, and leaves out what it d
     plain.lobes = {kind_index<Lobe, GgxLobe>()};
     const std::string text = fragment_shader(plain, "surface.frag");
     CHECK(text.find("ggx_density") != text.npos);
-    for (const char* other : {"gaussian_density", "curve_lobe", "painted_lobe", "conductor",
+    for (const char* other : {"gaussian_density", "curve_lobe", "painted_lobe", "conductor_reflectance",
                               "correlated_masking", "coupled_share", "#define HAS_ALBEDO 1\n", "EACH_"})
         CHECK_MESSAGE(text.find(other) == text.npos, other);
     ShaderVariant lit = plain;

@@ -1,4 +1,5 @@
-#include "core/light/studio.h"
+// A photographer's dark room.
+#include "core/light/procedural.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,12 +50,19 @@ dvec3 room(dvec3 d) {
     return dvec3{0.050, 0.052, 0.058} * (0.4 + height) + dvec3{0.16, 0.165, 0.175} * wall;
 }
 
-}  // namespace
-
 dvec3 studio_radiance(dvec3 direction) {
     dvec3 sum = room(direction);
     for (const SoftBox& box : boxes) sum += light_of(box, direction);
     return sum;
 }
+
+}  // namespace
+
+const ProceduralEnvironment studio_environment{
+    .name = "studio",
+    .label = "Soft boxes",
+    .about = "A photographer's dark room: a large lamp, a dim one, a strip and one above.",
+    .width = 1024,
+    .picture = [](int width) { return painted_environment(width, studio_radiance); }};
 
 }  // namespace nacre
