@@ -43,11 +43,11 @@ TEST_CASE("keys: signs are what is typed, with whatever keys") {
     ImGuiIO& io = ImGui::GetIO();
     using enum ui::Command;
     const auto with = [&](bool shift, bool alt, int key, const char* text) {
-        io.KeyShift = shift;
-        io.KeyAlt = alt;
-        io.KeysDown[key] = true;
+        rig.hold(false, shift, alt);
+        ui::tell_key(io, key, true);
         rig.type(text);
-        io.KeysDown[key] = io.KeyShift = io.KeyAlt = false;
+        ui::tell_key(io, key, false);
+        rig.hold();
         rig.frame();
     };
     with(false, false, '[', "[");
