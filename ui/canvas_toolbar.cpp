@@ -11,6 +11,7 @@
 #include "ui/canvas_paint.h"
 #include "ui/canvas_tools.h"
 #include "ui/item_map.h"
+#include "ui/keys.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -199,7 +200,7 @@ void take_keys(CanvasState& state) {
         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return;
     for (const ToolEntry& entry : canvas_tools())
-        if (ImGui::IsKeyPressed(entry.key, false)) state.tool = entry.tool;
+        if (is_key_pressed(entry.key, false)) state.tool = entry.tool;
 }
 
 }  // namespace

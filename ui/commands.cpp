@@ -8,6 +8,7 @@
 #include "core/design/utf8.h"
 #include "ui/item_map.h"
 #include "ui/key_press.h"
+#include "ui/keys.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -152,10 +153,7 @@ std::optional<Order> menu_bar(const MenuState& state) {
     return chosen;
 }
 
-void reserve_tab() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyMap[ImGuiKey_Tab] = io.WantTextInput ? parse_key("Tab")->key : -1;
-}
+void reserve_tab() { lend_tab(ImGui::GetIO().WantTextInput); }
 
 std::optional<Order> pressed_shortcut() {
     if (ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown() ||

@@ -6,6 +6,7 @@
 #include "ui/curve_plot.h"
 #include "ui/curve_shapes.h"
 #include "ui/item_map.h"
+#include "ui/keys.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -61,8 +62,7 @@ bool handle_mouse(CurveView& view, const CurvePlot& plot, CurvePoints& points,
     if (view.held && view.chosen) return drag(view, plot, points);
     std::optional<std::size_t> gone;
     if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) gone = near;
-    if (!ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false))
-        gone = view.chosen;
+    if (!ImGui::GetIO().WantTextInput && is_key_pressed(key::remove, false)) gone = view.chosen;
     if (!gone || !remove_point(points, *gone)) return false;
     view.chosen.reset();
     return true;

@@ -3,22 +3,21 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "ui/keys.h"
+
 namespace nacre::ui {
 namespace {
 
 int taken_back = -1;         // the frame
 bool pointer_rests = false;  // on the entry of a menu that was closed: it opens by being pointed at
 
-int escape_key() { return ImGui::GetIO().KeyMap[ImGuiKey_Escape]; }
-
 }  // namespace
 
-bool escape_pressed() { return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(escape_key(), false); }
+bool escape_pressed() { return !ImGui::GetIO().WantTextInput && is_key_pressed(key::escape, false); }
 
 bool take_escape() {
     if (!escape_pressed()) return false;
-    // As if it had gone down long before this frame.
-    ImGui::GetIO().KeysDownDuration[escape_key()] = ImGui::GetIO().DeltaTime;
+    take_key(key::escape);
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "ui/escape.h"
+#include "ui/keys.h"
 #include "ui/list_row.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -91,8 +92,7 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     ImGui::PopStyleColor();
     ImGui::SameLine();
     if (button("Cancel", nullptr, true, width)) answer = DialogAnswer::cancelled;
-    const ImGuiIO& io = ImGui::GetIO();
-    if (sound && !io.WantTextInput && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false))
+    if (sound && !ImGui::GetIO().WantTextInput && is_key_pressed(key::enter, false))
         answer = DialogAnswer::accepted;
     if (take_escape()) answer = DialogAnswer::cancelled;
     end_dialog(answer != DialogAnswer::none);

@@ -6,6 +6,7 @@
 #include "core/design/utf8.h"
 #include "ui/dialogs.h"
 #include "ui/item_map.h"
+#include "ui/keys.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -116,7 +117,7 @@ DialogAnswer contents(FileDialog& dialog, const ListDirectory& list, fs::path& c
     // Escape brings back what the field began with, and else closes the dialog.
     const std::string typed = dialog.path;
     const bool entered = path_field(dialog);
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape], false);
+    const bool escape = is_key_pressed(key::escape, false);
     DialogAnswer answer = buttons(dialog, escape && dialog.path == typed);
     if (double_clicked || entered) answer = DialogAnswer::accepted;
     if (answer != DialogAnswer::accepted) return answer;

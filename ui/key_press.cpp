@@ -4,24 +4,13 @@
 
 #include <cctype>
 
+#include "ui/keys.h"
+
 namespace nacre::ui {
 namespace {
 
-struct NamedKey {
-    std::string_view name;
-    int key;
-};
-
-constexpr NamedKey named_keys[] = {
-    {"Escape", 256}, {"Enter", 257},    {"Tab", 258},  {"Backspace", 259}, {"Insert", 260},
-    {"Delete", 261}, {"Right", 262},    {"Left", 263}, {"Down", 264},      {"Up", 265},
-    {"PageUp", 266}, {"PageDown", 267}, {"Home", 268}, {"End", 269},       {"Space", 32},
-    {"F1", 290},     {"F2", 291},       {"F11", 300},  {"F12", 301},       {"KeypadEnter", 335},
-};
-
 std::optional<int> key_number(std::string_view name) {
-    for (const NamedKey& named : named_keys)
-        if (named.name == name) return named.key;
+    if (const auto named = named_key(name)) return named;
     if (name.size() != 1 || std::isspace(static_cast<unsigned char>(name[0])) != 0) return std::nullopt;
     return std::toupper(static_cast<unsigned char>(name[0]));
 }
@@ -60,7 +49,7 @@ std::optional<KeyPress> parse_key(std::string_view text) {
 bool is_pressed(const KeyPress& press, bool repeat) {
     const ImGuiIO& io = ImGui::GetIO();
     return press.ctrl == io.KeyCtrl && press.shift == io.KeyShift && press.alt == io.KeyAlt &&
-           ImGui::IsKeyPressed(press.key, repeat);
+           is_key_pressed(press.key, repeat);
 }
 
 bool is_typed(char sign) {

@@ -7,8 +7,7 @@
 namespace nacre::ui {
 
 struct KeyPress {
-    int key =
-        0;  // GLFW's number, as hosts fill Dear ImGui's KeysDown; a letter's is its upper-case ASCII code
+    int key = 0;  // GLFW's number, a letter's upper-case ASCII code
     bool ctrl = false;
     bool shift = false;
     bool alt = false;

@@ -124,6 +124,24 @@ void draw_complaint(const ImRect& box, const std::string& name) {
     note_part(name + " problem", low, high);
 }
 
+// Whether the pointer may act on the item last added, and whether Tab came to it: Dear ImGui since 1.90, and
+// before.
+#if IMGUI_VERSION_NUM >= 19000
+bool is_hovered(const ImRect& box, ImGuiID id) {
+    return ImGui::ItemHoverable(box, id, ImGui::GetCurrentContext()->LastItemData.InFlags);
+}
+bool is_tabbed(ImGuiID id) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.NavActivateId == id && (context.NavActivateFlags & ImGuiActivateFlags_PreferInput) != 0;
+}
+#else
+bool is_hovered(const ImRect& box, ImGuiID id) { return ImGui::ItemHoverable(box, id); }
+bool is_tabbed(ImGuiID) {
+    const ImGuiItemStatusFlags flags = ImGui::GetCurrentContext()->LastItemData.StatusFlags;
+    return (flags & ImGuiItemStatusFlags_FocusedByTabbing) != 0;
+}
+#endif
+
 }  // namespace
 
 NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const std::string& name,
@@ -135,11 +153,10 @@ NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const st
     NumberItem item{.low = box.Min, .high = box.Max};
     ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
     if (!ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable)) return item;
-    item.hovered = ImGui::ItemHoverable(box, id);
+    item.hovered = is_hovered(box, id);
     bool begins = false;
     if (!ImGui::TempInputIsActive(id)) {
-        const ImGuiContext& context = *ImGui::GetCurrentContext();
-        const bool tabbed = (context.LastItemData.StatusFlags & ImGuiItemStatusFlags_FocusedByTabbing) != 0;
+        const bool tabbed = is_tabbed(id);
         const bool clicked = item.hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
         if (tabbed || clicked) {
             ImGui::SetActiveID(id, &window);

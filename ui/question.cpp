@@ -5,6 +5,7 @@
 #include "core/design/utf8.h"
 #include "ui/dialogs.h"
 #include "ui/escape.h"
+#include "ui/keys.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -51,8 +52,7 @@ std::optional<int> question(const char* title, const std::string& text,
         if (button(buttons[i].c_str(), nullptr, true, button_width)) answer = static_cast<int>(i);
         if (i == 0) ImGui::PopStyleColor();
     }
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!typing && !appears && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = 0;
+    if (!typing && !appears && is_key_pressed(key::enter, false)) answer = 0;
     if (!appears && take_escape()) answer = static_cast<int>(buttons.size()) - 1;
     end_dialog(answer.has_value());
     return answer;

@@ -7,6 +7,7 @@
 #include "ui/dialogs.h"
 #include "ui/escape.h"
 #include "ui/item_map.h"
+#include "ui/keys.h"
 #include "ui/list_row.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -56,8 +57,7 @@ std::optional<RecoveryAnswer> buttons() {
         if (button(choice.label, choice.tooltip, true, width)) answer = choice.answer;
         if (first) ImGui::PopStyleColor();
     }
-    const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false)) answer = RecoveryAnswer::restore;
+    if (is_key_pressed(key::enter, false)) answer = RecoveryAnswer::restore;
     if (take_escape()) answer = RecoveryAnswer::later;
     return answer;
 }

@@ -3,10 +3,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui_impl_glfw.h>
 
 #include "app/desktop/window.h"
 #include "ui/key_press.h"
+#include "ui/keys.h"
 
 namespace nacre {
 
@@ -14,11 +14,11 @@ KeyLatch::KeyLatch(GLFWwindow* window) : window_(window) {
     static_assert(keys == GLFW_KEY_LAST + 1);
     for (int key = 0; key < keys; ++key) on_layout_[static_cast<std::size_t>(key)] = key;
     glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int code, int action, int modifiers) {
+    ui::map_keys(ImGui::GetIO());
+    glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int modifiers) {
         Window::notice();
         if (key < 0 || key >= keys) return;
-        auto* latch = static_cast<KeyLatch*>(glfwGetWindowUserPointer(from));
-        ImGui_ImplGlfw_KeyCallback(from, latch->hear(key, action, modifiers), code, action, modifiers);
+        static_cast<KeyLatch*>(glfwGetWindowUserPointer(from))->hear(key, action, modifiers);
     });
     glfwSetDropCallback(window, [](GLFWwindow* from, int count, const char** files) {
         Window::notice();
@@ -27,19 +27,19 @@ KeyLatch::KeyLatch(GLFWwindow* window) : window_(window) {
     });
 }
 
-int KeyLatch::hear(int position, int action, int modifiers) {
+void KeyLatch::hear(int position, int action, int modifiers) {
     int& key = on_layout_[static_cast<std::size_t>(position)];
-    if (action != GLFW_PRESS) return key;
+    if (action == GLFW_RELEASE) down_[static_cast<std::size_t>(key)] = false;
+    if (action != GLFW_PRESS) return;
     // Of a key of the number pad the name is a digit too.
     const bool prints = position <= GLFW_KEY_WORLD_2;
     key = prints ? ui::key_on_layout(position, glfwGetKeyName(position, 0)) : position;
-    pressed_[static_cast<std::size_t>(key)] = true;
-    if (key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER) return key;
+    pressed_[static_cast<std::size_t>(key)] = down_[static_cast<std::size_t>(key)] = true;
+    if (key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER) return;
     // AltGr is no modifier to GLFW; what it types is no shortcut.
     const bool graphic = glfwGetKey(window_, GLFW_KEY_RIGHT_ALT) == GLFW_PRESS;
     modifiers_ = graphic ? modifiers | GLFW_MOD_ALT : modifiers;
     any_pressed_ = true;
-    return key;
 }
 
 KeyLatch::~KeyLatch() {
@@ -48,28 +48,21 @@ KeyLatch::~KeyLatch() {
     glfwSetWindowUserPointer(window_, nullptr);
 }
 
-void KeyLatch::press_missed() {
+void KeyLatch::tell() {
     ImGuiIO& io = ImGui::GetIO();
-    for (std::size_t key = 0; key < pressed_.size(); ++key) {
-        held_here_[key] = pressed_[key] && !io.KeysDown[key];
-        io.KeysDown[key] |= held_here_[key];
-    }
+    for (std::size_t key = 0; key < down_.size(); ++key)
+        ui::tell_key(io, static_cast<int>(key), down_[key] || pressed_[key]);
     pressed_ = {};
-    if (!any_pressed_) return;
-    io.KeyCtrl = (modifiers_ & GLFW_MOD_CONTROL) != 0;
-    io.KeyShift = (modifiers_ & GLFW_MOD_SHIFT) != 0;
-    io.KeyAlt = (modifiers_ & GLFW_MOD_ALT) != 0;
-}
-
-void KeyLatch::release_missed() {
-    ImGuiIO& io = ImGui::GetIO();
-    for (std::size_t key = 0; key < held_here_.size(); ++key)
-        if (held_here_[key]) io.KeysDown[key] = false;
-    held_here_ = {};
-    any_pressed_ = false;
-    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
-    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
-    io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+    const auto held = [&](int left, int right) {
+        return down_[static_cast<std::size_t>(left)] || down_[static_cast<std::size_t>(right)];
+    };
+    if (std::exchange(any_pressed_, false))
+        ui::tell_modifiers(io, (modifiers_ & GLFW_MOD_CONTROL) != 0, (modifiers_ & GLFW_MOD_SHIFT) != 0,
+                           (modifiers_ & GLFW_MOD_ALT) != 0);
+    else
+        ui::tell_modifiers(io, held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                           held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                           held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT));
 }
 
 }  // namespace nacre

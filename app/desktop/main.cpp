@@ -17,6 +17,7 @@
 #include "app/desktop/start_report.h"
 #include "app/desktop/window.h"
 #include "core/exchange/standard_streams.h"
+#include "ui/keys.h"
 
 namespace {
 
@@ -58,11 +59,11 @@ void run(const Arguments& arguments) {
             session.set_scale(ui_scale(), window.pixels_a_unit());
             session.new_frame();
             ImGui_ImplGlfw_NewFrame();
-            keys.press_missed();
+            keys.tell();
             for (const std::string& file : keys.take_dropped()) nacre::take_file(designer, file);
             ImGui::NewFrame();
             nacre::draw_frame(designer);
-            keys.release_missed();
+            if (nacre::ui::input_waits()) nacre::Window::notice();
             ImGui::Render();
             session.draw(window.framebuffer_size());
             window.swap();

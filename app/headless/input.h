@@ -1,4 +1,4 @@
-// Input of Dear ImGui 1.86 without a window. Keys have GLFW's numbers, as the desktop's backend gives them.
+// Input of Dear ImGui without a window.
 #pragma once
 
 #include <imgui.h>
@@ -7,7 +7,6 @@
 
 namespace nacre {
 
-void map_keys(ImGuiIO& io);
 void set_key(ImGuiIO& io, const ui::KeyPress& press, bool down);
 
 }  // namespace nacre

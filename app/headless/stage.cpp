@@ -7,6 +7,7 @@
 #include "app/gl/gl.h"
 #include "core/design/error.h"
 #include "core/model/polar_angles.h"
+#include "ui/keys.h"
 
 namespace nacre {
 
@@ -20,7 +21,8 @@ Stage::Stage(const StageOptions& options)
     io.DisplayFramebufferScale = ImVec2(pixels, pixels);
     io.DeltaTime = 1.0f / 60;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;  // panels are resizable as in the window
-    map_keys(io);
+    ui::map_keys(io);
+    ui::take_input_at_once(io);
     designer_ = std::make_unique<Designer>(DesignerOptions{.bake_threads = options.bake_threads,
                                                            .folders = options.folders,
                                                            .dialogs = options.dialogs,

@@ -13,6 +13,7 @@
 #include "core/paint/brush.h"
 #include "core/paint/raster_texels.h"
 #include "tests/designer/rig.h"
+#include "ui/keys.h"
 
 using namespace nacre;
 
@@ -117,9 +118,9 @@ TEST_CASE("sphere: the brush paints the facets that light what is pointed at, an
     }
     r.play("key Ctrl+Z\nframes 2");
     CHECK(r.designer().document.design.distribution.layers.size() == 1);
-    ImGui::GetIO().KeyShift = true;
+    ui::tell_modifiers(ImGui::GetIO(), false, true, false);
     r.play("drag \"Preview\":0.45,0.4 \"Preview\":0.6,0.5 5");
-    ImGui::GetIO().KeyShift = false;
+    ui::tell_modifiers(ImGui::GetIO(), false, false, false);
     CHECK(r.designer().scene != scene);
     CHECK(r.designer().document.design.distribution.layers.size() == 1);
 }

@@ -21,7 +21,7 @@ add_custom_target(nacre-fuzz)
 set(app ${CMAKE_SOURCE_DIR}/app)
 nacre_fuzz_target(design fuzz/fuzz_design.cpp)
 nacre_fuzz_target(obj fuzz/fuzz_obj.cpp)
-nacre_fuzz_target(events fuzz/fuzz_events.cpp ${app}/headless/event_script.cpp ${CMAKE_SOURCE_DIR}/ui/key_press.cpp)
+nacre_fuzz_target(events fuzz/fuzz_events.cpp ${app}/headless/event_script.cpp ${CMAKE_SOURCE_DIR}/ui/key_press.cpp ${CMAKE_SOURCE_DIR}/ui/keys.cpp)
 target_include_directories(nacre-fuzz-events SYSTEM PRIVATE ${NACRE_IMGUI_INCLUDE})
 target_link_libraries(nacre-fuzz-events PRIVATE ${NACRE_IMGUI_LIBRARY} ${NACRE_STB_LIBRARY})
 file(GLOB line_sources ${app}/cli/direction_lines.cpp ${app}/cli/line_source.cpp ${app}/cli/interrupt.cpp

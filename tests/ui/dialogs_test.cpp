@@ -175,10 +175,10 @@ TEST_CASE("question: Enter and Escape in a field of it are the field's") {
     SUBCASE("Escape: first the typed number, then the question") {
         rig.frame(30);
         rig.move("How much");
-        ImGui::GetIO().KeyCtrl = true;
+        rig.hold(true);
         rig.button(true);
         rig.button(false);
-        ImGui::GetIO().KeyCtrl = false;
+        rig.hold();
         rig.type("3");
         rig.key(PanelRig::escape);
         CHECK(number == 7);

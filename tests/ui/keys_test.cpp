@@ -7,6 +7,7 @@
 #include "tests/ui/panel_rig.h"
 #include "ui/commands.h"
 #include "ui/key_press.h"
+#include "ui/keys.h"
 
 using namespace nacre;
 
@@ -43,11 +44,11 @@ TEST_CASE("keys: signs are what is typed, with whatever keys") {
     ImGuiIO& io = ImGui::GetIO();
     using enum ui::Command;
     const auto with = [&](bool shift, bool alt, int key, const char* text) {
-        io.KeyShift = shift;
-        io.KeyAlt = alt;
-        io.KeysDown[key] = true;
+        rig.hold(false, shift, alt);
+        ui::tell_key(io, key, true);
         rig.type(text);
-        io.KeysDown[key] = io.KeyShift = io.KeyAlt = false;
+        ui::tell_key(io, key, false);
+        rig.hold();
         rig.frame();
     };
     with(false, false, '[', "[");
@@ -61,4 +62,37 @@ TEST_CASE("keys: signs are what is typed, with whatever keys") {
     CHECK(pressed == std::vector<ui::Order>{brush_smaller, brush_smaller, brush_larger, brush_smaller,
                                             brush_larger, ui::Order(choose_layer, 2),
                                             ui::Order(choose_layer, 2)});
+}
+
+TEST_CASE("keys: what has a name, letters and digits go down in the frame that they are told for") {
+    int asked = 0, frames = 0;
+    PanelRig rig([&] { frames += ui::is_key_pressed(asked, false); });
+    for (const char* name :
+         {"Escape", "Enter",       "Tab",      "Backspace", "Insert", "Delete", "Right", "Left", "Down",
+          "Up",     "PageUp",      "PageDown", "Home",      "End",    "Space",  "F1",    "F2",   "F11",
+          "F12",    "KeypadEnter", "A",        "B",         "Z",      "0",      "1",     "9"}) {
+        CAPTURE(name);
+        asked = ui::parse_key(name).value().key;
+        frames = 0;
+        rig.key(asked);
+        CHECK(frames == 1);
+    }
+    asked = ui::key::enter;
+    frames = 0;
+    rig.key(ui::key::escape);
+    CHECK(frames == 0);
+}
+
+TEST_CASE("keys: one that is taken is seen by nobody after") {
+    int before = 0, after = 0;
+    PanelRig rig([&] {
+        if (ui::is_key_pressed(ui::key::escape, false)) {
+            ++before;
+            ui::take_key(ui::key::escape);
+        }
+        after += ui::is_key_pressed(ui::key::escape, false);
+    });
+    rig.key(ui::key::escape);
+    CHECK(before == 1);
+    CHECK(after == 0);
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "ui/item_map.h"
+#include "ui/keys.h"
 #include "ui/theme.h"
 
 class PanelRig {
@@ -19,10 +20,8 @@ class PanelRig {
         io.IniFilename = nullptr;
         io.DisplaySize = ImVec2(800, 1200);
         io.DeltaTime = 1.0f / 60;
-        io.KeyMap[ImGuiKey_Enter] = enter;
-        io.KeyMap[ImGuiKey_Escape] = escape;
-        io.KeyMap[ImGuiKey_Delete] = remove;
-        io.KeyMap[ImGuiKey_A] = 'A';
+        nacre::ui::map_keys(io);
+        nacre::ui::take_input_at_once(io);
         nacre::ui::apply_theme(1);
         unsigned char* pixels = nullptr;
         int width = 0;
@@ -39,9 +38,9 @@ class PanelRig {
     PanelRig(const PanelRig&) = delete;
     PanelRig& operator=(const PanelRig&) = delete;
 
-    static constexpr int enter = 257;
-    static constexpr int escape = 256;
-    static constexpr int remove = 261;
+    static constexpr int enter = nacre::ui::key::enter;
+    static constexpr int escape = nacre::ui::key::escape;
+    static constexpr int remove = nacre::ui::key::remove;
 
     void frame(int count = 1) {
         for (int i = 0; i < count; ++i) {
@@ -95,13 +94,16 @@ class PanelRig {
     }
     void key(int code, bool ctrl = false, bool shift = false) {
         ImGuiIO& io = ImGui::GetIO();
-        io.KeyCtrl = ctrl;
-        io.KeyShift = shift;
-        io.KeysDown[code] = true;
+        nacre::ui::tell_key(io, code, true);
+        nacre::ui::tell_modifiers(io, ctrl, shift, false);
         frame();
-        io.KeysDown[code] = false;
-        io.KeyCtrl = io.KeyShift = false;
+        nacre::ui::tell_key(io, code, false);
+        hold();
         frame();
+    }
+    // Modifiers from the next frame on.
+    void hold(bool ctrl = false, bool shift = false, bool alt = false) {
+        nacre::ui::tell_modifiers(ImGui::GetIO(), ctrl, shift, alt);
     }
     void type(const char* text) {
         ImGui::GetIO().AddInputCharactersUTF8(text);
@@ -111,10 +113,10 @@ class PanelRig {
     void enter_number(std::string_view name, const char* text) {
         frame(30);
         move(name);
-        ImGui::GetIO().KeyCtrl = true;
+        hold(true);
         button(true);
         button(false);
-        ImGui::GetIO().KeyCtrl = false;
+        hold();
         key('A', true);
         type(text);
         key(enter);

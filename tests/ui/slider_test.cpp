@@ -103,10 +103,10 @@ TEST_CASE("slider: Escape in the typed number and during a drag brings the old o
     PanelRig rig([&] { ui::slider(width, value); });
     rig.frame(30);
     rig.move("Width");
-    ImGui::GetIO().KeyCtrl = true;
+    rig.hold(true);
     rig.button(true);
     rig.button(false);
-    ImGui::GetIO().KeyCtrl = false;
+    rig.hold();
     rig.type("7");
     CHECK(value == 7);
     rig.key(PanelRig::escape);
@@ -133,10 +133,10 @@ TEST_CASE("slider: a number that is typed counts when another field is clicked")
     });
     rig.frame(30);
     rig.move("Second");
-    ImGui::GetIO().KeyCtrl = true;
+    rig.hold(true);
     rig.button(true);
     rig.button(false);
-    ImGui::GetIO().KeyCtrl = false;
+    rig.hold();
     rig.type("2,5");
     rig.click("Width", 0.5f);
     CHECK(other == 2.5);
