@@ -160,7 +160,7 @@ std::string handle_text(const CanvasState& state, const Distribution& distributi
     };
     return std::visit(
         [&]<class T>(const T& lobe) -> std::string {
-            constexpr WidthMembers<T> widths = T::widths;
+            constexpr WidthMembers<T> widths = T::width_members;
             if constexpr (widths.x == nullptr)
                 return {};
             else if constexpr (widths.x == widths.y)

@@ -14,7 +14,7 @@ namespace nacre {
 
 // Besides what every kind has:
 //
-//   widths          which of its members are widths, for handles and for conversion
+//   width_members   which of its members are widths, for handles and for conversion
 //   of_widths()     the lobe of this kind that has these widths as nearly as it can
 //   period()        degrees after which it looks the same, turned about its own axis; 0: it is round
 //   reaches_below() whether it holds facets below its own horizon
@@ -25,7 +25,7 @@ namespace nacre {
 //                   own frame, 0 where z <= 0 unless said otherwise; (i, j) is inverse_width
 template <class T>
 concept LobeKind = Kind<T> && requires(const T lobe, glm::dvec2 widths) {
-    { T::widths } -> std::convertible_to<WidthMembers<T>>;
+    { T::width_members } -> std::convertible_to<WidthMembers<T>>;
     { T::of_widths(widths) } -> std::same_as<T>;
     { lobe.period() } -> std::same_as<double>;
     { lobe.reaches_below() } -> std::same_as<bool>;
@@ -80,7 +80,7 @@ inline Lobe lobe_of_widths(std::size_t index, glm::dvec2 widths = glm::dvec2(def
 inline glm::dvec2 widths_of(const Lobe& lobe) {
     return std::visit(
         []<class T>(const T& kind) {
-            constexpr WidthMembers<T> widths = T::widths;
+            constexpr WidthMembers<T> widths = T::width_members;
             if constexpr (widths.x == nullptr)
                 return glm::dvec2(default_width);
             else

@@ -35,7 +35,7 @@ bool may_be_infinite(double T::*member) {
 Widths width_pointers(Lobe& lobe) {
     return std::visit(
         []<class T>(T& kind) -> Widths {
-            constexpr WidthMembers<T> widths = T::widths;
+            constexpr WidthMembers<T> widths = T::width_members;
             if constexpr (widths.x == nullptr)
                 return {};
             else

@@ -150,7 +150,7 @@ TEST_CASE("a variant's text is a function of its value, and leaves out what it d
     const std::string text = fragment_shader(plain, "surface.frag");
     CHECK(text.find("ggx_density") != text.npos);
     for (const char* other : {"gaussian_density", "curve_lobe", "painted_lobe", "conductor_reflectance",
-                              "correlated_masking", "coupled_share", "#define HAS_ALBEDO 1\n", "EACH_"})
+                              "correlated_projection", "coupled_share", "#define HAS_ALBEDO 1\n", "EACH_"})
         CHECK_MESSAGE(text.find(other) == text.npos, other);
     ShaderVariant lit = plain;
     lit.lights = 2;

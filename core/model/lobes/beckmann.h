@@ -26,7 +26,7 @@ struct BeckmannLobe {
         return std::tuple{roughness_x_parameter<BeckmannLobe>(), roughness_y_parameter<BeckmannLobe>()};
     }
 
-    static constexpr WidthMembers<BeckmannLobe> widths{&BeckmannLobe::alpha_x, &BeckmannLobe::alpha_y};
+    static constexpr WidthMembers<BeckmannLobe> width_members{&BeckmannLobe::alpha_x, &BeckmannLobe::alpha_y};
     static BeckmannLobe of_widths(glm::dvec2 widths) {
         return {finite_width(widths.x), finite_width(widths.y)};
     }

@@ -35,7 +35,7 @@ struct CurveLobe {
                                                     .points_max = limits::curve_points_max}};
     }
 
-    static constexpr WidthMembers<CurveLobe> widths{};
+    static constexpr WidthMembers<CurveLobe> width_members{};
 
     // Eq. 34 along one azimuth, at even angles out to where it has faded.
     static CurveLobe of_widths(glm::dvec2 widths) {

@@ -40,7 +40,7 @@ struct GaussianLobe {
                 true)};
     }
 
-    static constexpr WidthMembers<GaussianLobe> widths{&GaussianLobe::sigma_x, &GaussianLobe::sigma_y};
+    static constexpr WidthMembers<GaussianLobe> width_members{&GaussianLobe::sigma_x, &GaussianLobe::sigma_y};
     static GaussianLobe of_widths(glm::dvec2 widths) { return {widths.x, widths.y}; }
 
     double period() const { return period_of_widths(sigma_x, sigma_y); }

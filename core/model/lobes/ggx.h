@@ -26,7 +26,7 @@ struct GgxLobe {
         return std::tuple{roughness_x_parameter<GgxLobe>(), roughness_y_parameter<GgxLobe>()};
     }
 
-    static constexpr WidthMembers<GgxLobe> widths{&GgxLobe::alpha_x, &GgxLobe::alpha_y};
+    static constexpr WidthMembers<GgxLobe> width_members{&GgxLobe::alpha_x, &GgxLobe::alpha_y};
     static GgxLobe of_widths(glm::dvec2 widths) { return {finite_width(widths.x), finite_width(widths.y)}; }
 
     double period() const { return period_of_widths(alpha_x, alpha_y); }

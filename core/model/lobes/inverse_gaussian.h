@@ -29,8 +29,8 @@ struct InverseGaussianLobe {
              "the rim glowing. p ~ exp(\u2212cot\u00b2\u03b8/\u03c3\u00b2)."})};
     }
 
-    static constexpr WidthMembers<InverseGaussianLobe> widths{&InverseGaussianLobe::sigma,
-                                                              &InverseGaussianLobe::sigma, true};
+    static constexpr WidthMembers<InverseGaussianLobe> width_members{&InverseGaussianLobe::sigma,
+                                                                     &InverseGaussianLobe::sigma, true};
     static InverseGaussianLobe of_widths(glm::dvec2 widths) {
         return {std::max(finite_width(widths.x), finite_width(widths.y))};
     }

@@ -32,7 +32,7 @@ struct PaintedLobe {
                                                         .text = {"image", "Picture", explanation}}};
     }
 
-    static constexpr WidthMembers<PaintedLobe> widths{};
+    static constexpr WidthMembers<PaintedLobe> width_members{};
 
     // A round Gaussian dab in the middle of the equal-area disk, so that a new painted layer is a valid
     // design.

@@ -31,7 +31,7 @@ struct UniformLobe {
             .labels = {"Hemisphere", "Whole sphere"}}};
     }
 
-    static constexpr WidthMembers<UniformLobe> widths{};
+    static constexpr WidthMembers<UniformLobe> width_members{};
     static UniformLobe of_widths(glm::dvec2) { return {}; }
 
     double period() const { return 0; }

@@ -26,7 +26,7 @@ struct DomeLobe {
                                       .slider = {.ends = {0, 1}}}};
     }
 
-    static constexpr WidthMembers<DomeLobe> widths{};
+    static constexpr WidthMembers<DomeLobe> width_members{};
     static DomeLobe of_widths(glm::dvec2) { return {}; }
     double period() const { return 0; }
     bool reaches_below() const { return false; }
