@@ -40,7 +40,7 @@ endforeach()
 # The sources of core/pictures, so that they are instrumented and linked as one program.
 file(GLOB picture_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/core/pictures/*.cpp)
 add_library(nacre_fuzz_pictures OBJECT ${picture_sources})
-target_include_directories(nacre_fuzz_pictures PUBLIC ${CMAKE_SOURCE_DIR})
+target_include_directories(nacre_fuzz_pictures PUBLIC ${CMAKE_SOURCE_DIR} ${NACRE_GENERATED})
 target_link_libraries(nacre_fuzz_pictures PUBLIC nacre_options fmt::fmt OpenImageIO::OpenImageIO PkgConfig::WebP
     ZLIB::ZLIB)
 foreach(format png jpeg openexr tiff hdr pnm webp targa bmp psd dds jpeg2000 heif)
