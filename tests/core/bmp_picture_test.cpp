@@ -23,7 +23,7 @@ struct Bmp {
 
     std::string bytes() const {
         const std::string header = little(length, 4) + little(width, 4) + little(height, 4) + little(1, 2) +
-                                   little(bits, 2) + little(compression, 4) + little(0, 12) +
+                                   little(bits, 2) + little(compression, 4) + std::string(12, '\0') +
                                    little(colours, 4) + little(0, 4);
         return "BM" + little(0, 8) + little(14 + header.size() + palette.size(), 4) + header + palette +
                pixels;
