@@ -6,3 +6,7 @@ foreach(reader read_tables call_glsl)
                 $<TARGET_FILE:nacre-cli> ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/docs-test)
     set_tests_properties("docs: ${reader}.py" PROPERTIES TIMEOUT 300)
 endforeach()
+foreach(check links arrows)
+    add_test(NAME "docs: ${check}"
+        COMMAND ${NACRE_DEBIAN_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/${check}.py ${CMAKE_SOURCE_DIR})
+endforeach()
