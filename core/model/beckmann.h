@@ -5,7 +5,8 @@
 
 namespace nacre {
 
-// g and its gradient for every k of the sphere, widths along x and y (Walter et al. 2007; MODEL.md, sec. 4).
+// g and its gradient for every k of the sphere, widths along x and y (Walter et al. 2007;
+// docs/mathematics.md, sec. 7).
 Area beckmann_area(dvec3 k, dvec2 alpha);
 
 // A facet as k sees it.

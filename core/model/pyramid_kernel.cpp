@@ -22,7 +22,8 @@ using LongDoubles = hn::CappedTag<double, 8>;  // for the leaves
 using LongVector = hn::Vec<LongDoubles>;
 
 // A cell wholly in front of k adds k.m, one wholly behind nothing, and only the cells that the great circle
-// h.k = 0 passes are opened (MODEL.md, sec. 2). Breadth first, and without a branch on what is opened.
+// h.k = 0 passes are opened (docs/mathematics.md, sec. 10). Breadth first, and without a branch on what is
+// opened.
 template <bool with_gradient>
 class Walk {
   public:

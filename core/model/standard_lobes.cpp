@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Unnormalised densities are pi ax ay times the normalised ones (N = 1) of MODEL.md, sec. 4.
+// Unnormalised densities are pi ax ay times the normalised ones (N = 1) of docs/mathematics.md, sec. 7.
 class Ggx final : public LobeModel {
   public:
     explicit Ggx(const GgxLobe& lobe) : alpha_(lobe.alpha_x, lobe.alpha_y), n_(pi * alpha_.x * alpha_.y) {}

@@ -1,6 +1,6 @@
 #if HAS_PICTURE
 // A picture at a place of the disk that touches its four sides, +x right, +y up, top row first; bilinear between texel
-// centres and flat beyond the outermost. Texels off the disk hold what lies beside them on it (docs/mathematics.md).
+// centres and flat beyond the outermost. Texels off the disk hold what lies beside them on it (docs/mathematics.md, sec. 11).
 real picture_at(real x, real y, int offset, int size) READS {
     real n = real(size);
     real column = clamp(real(0.5) * (real(1.0) + x) * n - real(0.5), real(0.0), n - real(1.0));

@@ -18,7 +18,7 @@ namespace {
 using std::numbers::pi;
 using Visibility = std::function<double(glm::dvec3)>;
 
-// MODEL.md, section 4; p normalised so that N = 1.
+// docs/mathematics.md, sec. 7; p normalised so that N = 1.
 double ggx_visibility(glm::dvec3 k, glm::dvec2 alpha) {
     const double r = std::sqrt(std::pow(alpha.x * k.x, 2) + std::pow(alpha.y * k.y, 2) + k.z * k.z);
     return 2 * k.z / (k.z + r);

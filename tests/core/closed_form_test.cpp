@@ -1,4 +1,4 @@
-// Lobes against the closed forms of the field (MODEL.md, sec. 4; Walter et al. 2007; Heitz 2014).
+// Lobes against the closed forms of the field (docs/mathematics.md, sec. 7; Walter et al. 2007; Heitz 2014).
 #include <doctest/doctest.h>
 
 #include <boost/math/special_functions/bessel.hpp>

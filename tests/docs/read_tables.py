@@ -1,0 +1,42 @@
+"""read_tables.py NACRE_CLI SOURCE FOLDER: examples/read_tables.py has at most 40 lines and evaluates baked tables as nacre-cli does;
+of presets g and R1 are within the errors that the manifest states of what adaptive integration gives."""
+import json, pathlib, subprocess, sys
+from agreement import fail, pairs_above_the_horizon, require_close, rows_of
+
+cli, source, folder = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+reader = source / "examples/read_tables.py"
+if (count := len(reader.read_text().splitlines())) > 40:
+    fail(f"{reader}: {count} lines, at most 40 are promised")
+folder.mkdir(parents=True, exist_ok=True)
+ggx = {"lobe": "ggx", "alpha_x": 0.1, "alpha_y": 0.4}
+leaning = {
+    "half": [{**ggx, "tilt": 40}],
+    "none": [{**ggx, "rotation": 20}, {"lobe": "beckmann", "alpha_x": 0.3, "alpha_y": 0.3, "tilt": 30, "azimuth": 100}],
+}
+for name, layers in leaning.items():
+    design = {"nacre": 1, "distribution": {"layers": layers}, "diffuse": {"model": "coupled"}}
+    (folder / f"{name}.nacre").write_text(json.dumps(design))
+presets = [source / f"presets/{name}.nacre" for name in ("gold-painted-plastic", "brushed-gold", "satin")]
+pairs = pairs_above_the_horizon(100)
+first = [" ".join(line.split()[:3]) for line in pairs]
+symmetries = set()
+for design in [*presets, *(folder / f"{name}.nacre" for name in leaning)]:
+    tables = folder / design.stem
+    subprocess.run([cli, "bake", design, "-o", tables], check=True, stdout=subprocess.DEVNULL)
+    manifest = json.loads((tables / "manifest.json").read_text())
+    symmetries.add(manifest["symmetry"])
+    got = rows_of([sys.executable, reader, tables], pairs)
+    g_p_r1 = [row[:2] + row[3:4] for row in rows_of([cli, "tables", design], first)]
+    require_close(f"{design.stem}: g, P and R1 of the tables", [row[:3] for row in got], g_p_r1, 1e-6)
+    require_close(f"{design.stem}: BRDF of the tables", [row[3:] for row in got], rows_of([cli, "eval", design], pairs), 1e-5)
+    if design not in presets:
+        continue
+    # The claim is in parts of max(exact, N z).
+    N, claims = manifest["constants"]["N"], manifest["error"]["by_the_bake"]
+    exact = rows_of([cli, "tables", design, "--exact"], first[:10])
+    scales = [max(truth[0], N * float(line.split()[2])) for truth, line in zip(exact, first)]
+    errors = [[(row[0] - truth[0]) / scale] for row, truth, scale in zip(got, exact, scales)]
+    require_close(f"{design.stem}: g against adaptive integration", errors, [[0]] * 10, claims["g"]["worst"])
+    require_close(f"{design.stem}: R1 against adaptive integration", [row[2:3] for row in got[:10]], [row[3:4] for row in exact], claims["R"]["worst"])
+if symmetries != {"isotropic", "quarter", "half", "none"}:
+    fail(f"not every symmetry was read: {symmetries}")
