@@ -17,4 +17,6 @@ file(RELATIVE_PATH prefix_of_pc /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefi
 configure_file(nacre.pc.in nacre.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/nacre.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
 
+# The programs and the library both need it.
 install(TARGETS nacre_pictures LIBRARY DESTINATION ${NACRE_PRIVATE_LIBRARY_FOLDER})
+install(TARGETS nacre_pictures LIBRARY DESTINATION ${NACRE_PRIVATE_LIBRARY_FOLDER} COMPONENT library)
