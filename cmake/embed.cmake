@@ -1,4 +1,4 @@
-# nacre_embed(TARGET FILE...): makes a static library whose function
+# nacre_embed(TARGET FILE...): makes objects whose function
 # `std::string_view nacre::shader_text(std::string_view name)` returns the text of each file.
 function(nacre_embed target)
     set(body "")
@@ -24,7 +24,7 @@ std::string_view shader_text(std::string_view name) {
 }
 }  // namespace nacre
 ")
-    add_library(${target} STATIC ${source})
+    add_library(${target} OBJECT ${source})
     target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${target} PRIVATE nacre_options)
 endfunction()

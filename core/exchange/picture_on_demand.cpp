@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "core/exchange/image_file.h"
@@ -20,25 +21,34 @@ namespace fs = std::filesystem;
 
 constexpr const char* library_name = "libnacre-pictures.so";
 
-// Beside the program in the build tree, below lib/ where it is installed.
-fs::path library_file() {
+// Beside the program in the build tree, below lib/ where it is installed. The program of another project has
+// the folder in its run path, where the loader looks for a name without one.
+void* open_library() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
     const std::array<fs::path, 2> candidates{program / library_name,
                                              program / NACRE_PRIVATE_LIBRARIES / library_name};
-    for (const fs::path& candidate : candidates)
-        if (fs::exists(candidate, error)) return candidate.lexically_normal();
+    for (const fs::path& candidate : candidates) {
+        if (!fs::exists(candidate, error)) continue;
+        if (void* library = dlopen(candidate.lexically_normal().c_str(), RTLD_NOW | RTLD_LOCAL))
+            return library;
+        throw std::runtime_error(dlerror());
+    }
+    if (void* library = dlopen(library_name, RTLD_NOW | RTLD_LOCAL)) return library;
     throw std::runtime_error(std::string(library_name) + ", which reads and writes pictures, is missing at " +
-                             candidates.back().lexically_normal().string());
+                             candidates.back().lexically_normal().string() + " and in the run path (" +
+                             dlerror() + ")");
 }
 
 // Stays loaded for as long as the program runs.
 const PictureModule* load_module() {
-    const fs::path file = library_file();
-    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* entry = library != nullptr ? dlsym(library, "nacre_picture_module") : nullptr;
+    void* entry = dlsym(open_library(), "nacre_picture_module");
     if (entry == nullptr) throw std::runtime_error(dlerror());
-    return reinterpret_cast<decltype(&nacre_picture_module)>(entry)();
+    const PictureModule* const module = reinterpret_cast<decltype(&nacre_picture_module)>(entry)();
+    if (module->version != std::string_view(NACRE_VERSION))
+        throw std::runtime_error(std::string(library_name) + " is of Nacre " + module->version +
+                                 ", this program of " + NACRE_VERSION);
+    return module;
 }
 
 const PictureModule& pictures() {

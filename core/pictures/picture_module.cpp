@@ -3,7 +3,8 @@
 #include "core/exchange/image_file.h"
 
 [[gnu::visibility("default")]] const nacre::PictureModule* nacre_picture_module() {
-    static constexpr nacre::PictureModule module{.load_picture = nacre::load_picture,
+    static constexpr nacre::PictureModule module{.version = NACRE_VERSION,
+                                                 .load_picture = nacre::load_picture,
                                                  .load_colours = nacre::load_colours,
                                                  .load_lat_long = nacre::load_lat_long,
                                                  .png_bytes = nacre::png_bytes,

@@ -16,6 +16,7 @@ namespace nacre {
 
 // The functions of core/exchange/picture.h and image_file.h that need OpenImageIO.
 struct PictureModule {
+    const char* version;  // of Nacre; first, and the same in all: the program may be of another
     Raster (*load_picture)(const std::filesystem::path&, const std::string&, const std::string&, PictureShape,
                            PictureNotes*);
     ColourPicture (*load_colours)(const std::filesystem::path&, PictureNotes*);

@@ -18,10 +18,10 @@ function(nacre_fuzz_target name)
 endfunction()
 
 add_custom_target(nacre-fuzz)
-set(app ${CMAKE_SOURCE_DIR}/app)
+set(app ${PROJECT_SOURCE_DIR}/app)
 nacre_fuzz_target(design fuzz/fuzz_design.cpp)
 nacre_fuzz_target(obj fuzz/fuzz_obj.cpp)
-nacre_fuzz_target(events fuzz/fuzz_events.cpp ${app}/headless/event_script.cpp ${CMAKE_SOURCE_DIR}/ui/key_press.cpp ${CMAKE_SOURCE_DIR}/ui/keys.cpp)
+nacre_fuzz_target(events fuzz/fuzz_events.cpp ${app}/headless/event_script.cpp ${PROJECT_SOURCE_DIR}/ui/key_press.cpp ${PROJECT_SOURCE_DIR}/ui/keys.cpp)
 target_include_directories(nacre-fuzz-events SYSTEM PRIVATE ${NACRE_IMGUI_INCLUDE})
 target_link_libraries(nacre-fuzz-events PRIVATE ${NACRE_IMGUI_LIBRARY} ${NACRE_STB_LIBRARY})
 file(GLOB line_sources ${app}/cli/direction_lines.cpp ${app}/cli/line_source.cpp ${app}/cli/interrupt.cpp
@@ -38,9 +38,9 @@ foreach(target settings recent unsaved)
 endforeach()
 
 # The sources of core/pictures, so that they are instrumented and linked as one program.
-file(GLOB picture_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/core/pictures/*.cpp)
+file(GLOB picture_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/pictures/*.cpp)
 add_library(nacre_fuzz_pictures OBJECT ${picture_sources})
-target_include_directories(nacre_fuzz_pictures PUBLIC ${CMAKE_SOURCE_DIR} ${NACRE_GENERATED})
+target_include_directories(nacre_fuzz_pictures PUBLIC ${PROJECT_SOURCE_DIR} ${NACRE_GENERATED})
 target_link_libraries(nacre_fuzz_pictures PUBLIC nacre_options fmt::fmt OpenImageIO::OpenImageIO PkgConfig::WebP
     ZLIB::ZLIB)
 foreach(format png jpeg openexr tiff hdr pnm webp targa bmp psd dds jpeg2000 heif)

@@ -1,8 +1,9 @@
 #!/bin/bash
-# install.sh BUILD_FOLDER SCRATCH: what `cmake --install` puts into a folder works from there, after the folder
+# install.sh BUILD_FOLDER SCRATCH EXAMPLES: what `cmake --install` puts into a folder works from there, after the folder
 # was moved, and holds nothing that a desktop would refuse.
 set -euo pipefail
-build=$(realpath "$1") scratch=$2
+script=$(realpath "$0")
+build=$(realpath "$1") scratch=$2 examples=$(realpath "$3")
 fail() {
     echo "install.sh: $1" >&2
     exit 1
@@ -27,6 +28,8 @@ bin/nacre-cli render share/nacre/presets/ggx-steel.nacre --size 32x32 -o ../stee
 printf 'click "Presets"\nclick "Preset Brushed gold"\n' >../steps
 bin/nacre-cli screenshot --size 800x600 --script ../steps -o ../window.png || fail 'the installed designer has no presets'
 bin/nacre --version | grep -q '^[0-9]' || fail 'the installed nacre does not start'
+
+"$(dirname "$script")/library.sh" . "$examples" ../library
 
 # Every verb and option has a place in the manual.
 zcat share/man/man1/nacre-cli.1.gz | sed 's/\\-/-/g' >../nacre-cli.1

@@ -1,0 +1,8 @@
+# find_package(nacre): the target nacre::core.
+include(CMakeFindDependencyMacro)
+find_dependency(fmt)
+find_dependency(glm)
+find_dependency(hwy)
+find_dependency(TBB)
+find_dependency(Threads)
+include(${CMAKE_CURRENT_LIST_DIR}/nacre-targets.cmake)
