@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/design/utf8.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -14,14 +15,12 @@ constexpr int bar_steps = 48;
 
 float text_breadth(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
-// As much of it as fits, whole characters of UTF-8.
-std::string fitted(std::string text, float breadth) {
+// The text, or as much of it as fits with an ellipsis.
+std::string fitted(const std::string& text, float breadth) {
     if (text_breadth(text) <= breadth) return text;
-    while (!text.empty() && text_breadth(text + "\u2026") > breadth) {
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-        if (!text.empty()) text.pop_back();
-    }
-    return text + "\u2026";
+    std::u32string codes = code_points(text);
+    while (!codes.empty() && text_breadth(encode_utf8(codes) + "\u2026") > breadth) codes.pop_back();
+    return encode_utf8(codes) + "\u2026";
 }
 
 // Text on a dark plate.

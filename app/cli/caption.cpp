@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/design/utf8.h"
 #include "ui/fonts.h"
 
 namespace nacre::cli {
@@ -16,25 +17,12 @@ constexpr int oversampling = 2;
 constexpr ImWchar letters[] = {0x20,   0x24F,  0x370, 0x52F,
                                0x2010, 0x2027, 0};  // Latin, Greek, Cyrillic, marks
 
-// Of valid UTF-8; what lies beyond the letters of the typeface becomes its replacement.
-std::vector<ImWchar> code_points(const std::string& utf8) {
-    std::vector<ImWchar> codes;
-    unsigned code = 0;
-    int rest = 0;
-    for (const char c : utf8) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80) {
-            code = byte;
-        } else if (byte < 0xC0) {
-            code = (code << 6) | (byte & 0x3Fu);
-            --rest;
-        } else {
-            rest = byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
-            code = byte & (0x3Fu >> rest);
-        }
-        if (rest == 0) codes.push_back(static_cast<ImWchar>(code <= 0xFFFF ? code : 0xFFFD));
-    }
-    return codes;
+// What lies beyond the letters of the typeface becomes its replacement.
+std::vector<ImWchar> characters_of(const std::string& text) {
+    std::vector<ImWchar> characters;
+    for (const char32_t code : code_points(text))
+        characters.push_back(static_cast<ImWchar>(code <= 0xFFFF ? code : 0xFFFD));
+    return characters;
 }
 
 double advance(const ImFont& font, ImWchar code) {
@@ -92,7 +80,7 @@ CaptionFont::~CaptionFont() = default;
 void CaptionFont::draw(RenderedImage& image, const std::string& utf8, double x, int y, double width_max,
                        float grey) const {
     const ImFont& font = *atlas_->Fonts[0];
-    std::vector<ImWchar> codes = code_points(utf8);
+    std::vector<ImWchar> codes = characters_of(utf8);
     shorten(codes, font, width_max);
     unsigned char* texels = nullptr;
     int columns = 0, rows = 0;

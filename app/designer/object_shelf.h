@@ -1,4 +1,4 @@
-// Makes the preview's objects on a thread of its own: a cloth takes a second to fall, a file may be large.
+// Makes the preview's objects on a thread of its own: a file may be large.
 #pragma once
 
 #include <map>

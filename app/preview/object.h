@@ -26,7 +26,7 @@ std::vector<std::string> object_names();
 bool names_object(const std::string& name);
 
 // One of object_names(), or an OBJ file by its path, which ends in .obj. What is wrong is a UserError. A
-// tablecloth takes about a second, a large file longer: call it off the interface's thread.
+// large file takes seconds: call it off the interface's thread.
 SceneObject make_object(const std::string& name);
 
 }  // namespace nacre

@@ -10,6 +10,7 @@
 
 #include "core/design/design.h"
 #include "core/design/error.h"
+#include "core/design/utf8.h"
 #include "core/exchange/input_file.h"
 
 namespace nacre {
@@ -28,9 +29,7 @@ std::string line_and_column(std::string_view text, std::size_t position) {
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
     const std::size_t newline = before.rfind('\n');
     const std::string_view row = newline == before.npos ? before : before.substr(newline + 1);
-    const auto starts_character = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; };
-    return fmt::format("line {}, column {}", line,
-                       std::count_if(row.begin(), row.end(), starts_character) + 1);
+    return fmt::format("line {}, column {}", line, code_points(row).size() + 1);
 }
 
 // nlohmann's message is `[json.exception...] parse error at line L, column C: REASON; last read: 'TEXT';

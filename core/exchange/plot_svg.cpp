@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/design/error.h"
+#include "core/design/utf8.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/file_ending.h"
 #include "core/exchange/plot_files.h"
@@ -56,10 +57,7 @@ class SvgPen final : public PlotPen {
     double em() const override { return text_size; }
 
     double text_width(const std::string& text) const override {
-        const auto characters = std::count_if(text.begin(), text.end(), [](char c) {
-            return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // the first byte of each in UTF-8
-        });
-        return character_ems * text_size * static_cast<double>(characters);
+        return character_ems * text_size * static_cast<double>(code_points(text).size());
     }
 
     void text(glm::dvec2 left_middle, const std::string& text, Ink ink) override {

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 
 namespace nacre {
+
+// From tablecloth.obj, row by row; the build makes it.
+std::span<const std::array<double, 3>> tablecloth_points();
+
 namespace {
 
 constexpr int pieces = 2;  // of the mesh between two points of the cloth
@@ -53,17 +59,10 @@ void add_point(Mesh& mesh, const Cloth& cloth, int i, int j) {
 
 }  // namespace
 
-// Coarse first, so that the folds form in few steps.
-Cloth draped_cloth(const RoundTable& table) {
-    constexpr double breadth = 1.75, turn = 17;  // metres, degrees
-    constexpr unsigned seed = 2000;
-    const ClothMaterial material;
-    Cloth cloth = flat_cloth(33, breadth, turn, seed);
-    let_fall(cloth, table, material, 2.5, 1.0 / 600);
-    cloth = refined(cloth);
-    let_fall(cloth, table, material, 0.8, 1.0 / 1000);
-    cloth = refined(cloth);
-    let_fall(cloth, table, material, 0.2, 1.0 / 2000);
+Cloth draped_cloth() {
+    const auto grid = tablecloth_points();
+    Cloth cloth{static_cast<int>(std::lround(std::sqrt(grid.size()))), {}};
+    for (const auto& [x, y, z] : grid) cloth.points.emplace_back(x, y, z);
     return cloth;
 }
 

@@ -20,9 +20,9 @@ namespace nacre {
 //   reaches_below() whether it holds facets below its own horizon
 //   shader()        the numbers that NAME_lobe() of shaders/lobes/NAME.glsl reads
 //   model()         its mathematics; or modulated_model(), when its own picture and a modulation's become one
-//   table_kind(), formula()  what the manifest of exported tables calls it, and what it is at h = (x, y, z)
-//   of its
-//                   own frame, 0 where z <= 0 unless said otherwise; (i, j) is inverse_width
+//   table_kind()    what the manifest of exported tables calls it
+//   formula()       what it is there at h = (x, y, z) of its own frame, 0 where z <= 0 unless said otherwise;
+//                   (i, j) is inverse_width
 template <class T>
 concept LobeKind = Kind<T> && requires(const T lobe, glm::dvec2 widths) {
     { T::width_members } -> std::convertible_to<WidthMembers<T>>;

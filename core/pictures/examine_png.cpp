@@ -1,9 +1,9 @@
 // A PNG file reduced to the chunks that make its pixels, IHDR, PLTE, tRNS, IDAT and IEND: libpng prints what
 // it dislikes about the others. (PNG, 3rd edition, section 5)
 #include <fmt/core.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/pictures/byte_order.h"
@@ -16,23 +16,14 @@ namespace {
 constexpr std::uint64_t signature_size = 8;
 constexpr std::uint64_t frame_size = 12;  // of a chunk around its data: length, name, checksum
 
-constexpr std::array<std::uint32_t, 256> checksum_table = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-        table[i] = i;
-        for (int bit = 0; bit < 8; ++bit) table[i] = (table[i] >> 1) ^ (table[i] & 1 ? 0xEDB88320u : 0u);
-    }
-    return table;
-}();
-
-// CRC-32 of ISO 3309, as PNG's annex D has it.
-std::uint32_t checksum(const FileBytes& file, std::uint64_t offset, std::uint64_t length) {
+std::uint64_t checksum(const FileBytes& file, std::uint64_t offset, std::uint64_t length) {
     constexpr std::uint64_t step = 1u << 20;
-    std::uint32_t crc = 0xFFFFFFFFu;
-    for (const std::uint64_t end = offset + length; offset < end; offset += step)
-        for (const char byte : file.read(offset, std::min(step, end - offset)))
-            crc = checksum_table[(crc ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (crc >> 8);
-    return ~crc;
+    uLong crc = crc32(0, nullptr, 0);
+    for (const std::uint64_t end = offset + length; offset < end; offset += step) {
+        const auto bytes = file.read(offset, std::min(step, end - offset));
+        crc = crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
+    }
+    return crc;
 }
 
 bool makes_pixels(std::string_view name) {

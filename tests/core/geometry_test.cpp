@@ -10,7 +10,6 @@
 #include <random>
 #include <vector>
 
-#include "core/geometry/cloth.h"
 #include "core/geometry/normal_sums.h"
 #include "core/geometry/polygons.h"
 #include "core/geometry/shapes.h"
@@ -61,22 +60,21 @@ double volume(const Mesh& mesh) {
 }
 
 // How far threads are from their rest length, of it.
-double worst_stretch(const Cloth& cloth) {
+double worst_stretch(const Cloth& cloth, double spacing) {
     double worst = 0;
     for (int row = 0; row < cloth.side; ++row)
         for (int column = 0; column < cloth.side; ++column)
             for (const bool weft : {false, true}) {
                 if ((weft ? row : column) + 1 == cloth.side) continue;
                 const glm::dvec3 next = weft ? cloth.point(column, row + 1) : cloth.point(column + 1, row);
-                worst = std::max(worst,
-                                 std::abs(glm::length(next - cloth.point(column, row)) / cloth.spacing - 1));
+                worst = std::max(worst, std::abs(glm::length(next - cloth.point(column, row)) / spacing - 1));
             }
     return worst;
 }
 
 // Whether two points meet that are far from each other along the cloth: folds that run through each other.
-bool meets_itself(const Cloth& cloth) {
-    const double reach = 0.6 * cloth.spacing;
+bool meets_itself(const Cloth& cloth, double spacing) {
+    const double reach = 0.6 * spacing;
     std::map<std::array<long, 3>, std::vector<int>> cells;
     const auto cell = [&](glm::dvec3 p) {
         return std::array{std::lround(p.x / reach), std::lround(p.y / reach), std::lround(p.z / reach)};
@@ -97,18 +95,11 @@ bool meets_itself(const Cloth& cloth) {
     return false;
 }
 
-// A coarse one, that falls in a fraction of a second.
-Cloth fallen(unsigned seed) {
-    Cloth cloth = flat_cloth(33, 1.75, 17, seed);
-    let_fall(cloth, {}, {}, 2, 1.0 / 600);
-    return cloth;
-}
-
 }  // namespace
 
 TEST_CASE("geometry: every vertex of every shape has an orthonormal frame on its outer side") {
     for (const Mesh& mesh :
-         {torus(), torus(0.2f), plate(), plate({0.4f, 0.3f, 0.0f}), cloth_mesh(fallen(1))}) {
+         {torus(), torus(0.2f), plate(), plate({0.4f, 0.3f, 0.0f}), cloth_mesh(draped_cloth())}) {
         CHECK(wrong_frames(mesh) == 0);
         CHECK(!without_tangents(mesh));
         CHECK(farthest(mesh) == doctest::Approx(1).epsilon(1e-5));
@@ -156,38 +147,27 @@ TEST_CASE("geometry: the plate's volume is that of a rounded square, which a dom
     CHECK(worst < 2e-2);
 }
 
-TEST_CASE("cloth: the same bits twice, another seed another cloth") {
-    const auto after = [](unsigned seed) {
-        Cloth cloth = flat_cloth(33, 1.75, 17, seed);
-        let_fall(cloth, {}, {}, 0.5, 1.0 / 600);
-        return cloth.points;
-    };
-    CHECK(after(1) == after(1));
-    CHECK(after(1) != after(2));
-}
-
-TEST_CASE("cloth: it hangs, does not stretch, stays out of the table and of itself, and comes to rest") {
+TEST_CASE("cloth: it hangs, does not stretch, and stays out of the table and of itself") {
     const Cloth cloth = draped_cloth();
-    CHECK(worst_stretch(cloth) < 0.05);
-    CHECK(!meets_itself(cloth));
-    double depth = 1, lowest = 0, speed = 0;
-    glm::dvec3 away;
+    REQUIRE(cloth.side == 129);
+    REQUIRE(cloth.points.size() == 129 * 129);
+    const double spacing = 1.75 / 128;
+    CHECK(worst_stretch(cloth, spacing) < 0.05);
+    CHECK(!meets_itself(cloth, spacing));
+    // The table is 6 cm thick and the cloth 8 mm away from it.
+    int in_table = 0;
+    double lowest = 0;
     for (const glm::dvec3& p : cloth.points) {
-        depth = std::min(depth, distance_to_table({}, p, away));
+        in_table += std::hypot(p.x, p.z) < 0.39 && p.y > -0.066 && p.y < 0.006;
         lowest = std::min(lowest, p.y);
     }
-    for (const glm::dvec3& v : cloth.velocities) speed = std::max(speed, glm::length(v));
-    CHECK(depth > 0.8 * ClothMaterial().thickness);
+    CHECK(in_table == 0);
     CHECK(lowest < -0.5);
-    CHECK(speed < 0.5);
-    const Cloth fine = refined(cloth);
-    CHECK(fine.side == 2 * cloth.side - 1);
-    CHECK(fine.point(fine.side - 1, 2) == cloth.point(cloth.side - 1, 1));
-    CHECK(glm::length(fine.point(5, 4) - 0.5 * (cloth.point(2, 2) + cloth.point(3, 2))) < 1e-12);
 }
 
 TEST_CASE("cloth: a flat one becomes a flat mesh whose tangents run along the warp") {
-    const Cloth flat = flat_cloth(9, 1, 0, 1);
+    Cloth flat{9, {}};
+    for (int i = 0; i < 81; ++i) flat.points.emplace_back(0.125 * (i % 9), 0, -0.125 * (i / 9));
     const Mesh mesh = cloth_mesh(flat);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         CHECK(mesh.normals[i].y > 0.999f);

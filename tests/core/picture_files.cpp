@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +33,8 @@ char byte(float value) { return static_cast<char>(std::lround(255 * value)); }
 
 std::string bgr(const float* rgb) { return {byte(rgb[2]), byte(rgb[1]), byte(rgb[0])}; }
 
-std::uint32_t png_checksum(const std::string& bytes) {
-    std::uint32_t crc = 0xFFFFFFFFu;
-    for (const char c : bytes) {
-        crc ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xEDB88320u : 0u);
-    }
-    return ~crc;
+std::uint64_t png_checksum(const std::string& bytes) {
+    return crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
 }
 
 const char* format_of(const std::string& ending) {
