@@ -108,8 +108,8 @@ TEST_CASE("a conductor's reflectance is that of its dielectric when k = 0, and l
         const double eta = spread(limits::eta_min, limits::eta_max), k = spread(1e-12, limits::k_max);
         const double c = i % 3 ? uniform_random(random) : spread(1e-12, 1);
         const double f = Shader::conductor_reflectance(eta, k, c);
-        const float single = Shading<float>::conductor_reflectance(static_cast<float>(eta), static_cast<float>(k),
-                                                               static_cast<float>(c));
+        const float single = Shading<float>::conductor_reflectance(
+            static_cast<float>(eta), static_cast<float>(k), static_cast<float>(c));
         CHECK((f >= 0 && f <= 1));
         CHECK((single >= 0 && single <= 1));
     }

@@ -48,7 +48,7 @@ line core/light/environment_list.inc 'ENVIRONMENT(halves)'
 cd "$tree"
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 cmake --preset release -DNACRE_TESTS=ON -DNACRE_BENCH=OFF >/dev/null
-cmake --build --preset release --target nacre-cli nacre-test-core nacre-test-ui nacre-test-gl nacre-test-designer
+cmake --build --preset release --target nacre-cli nacre-test-core nacre-test-ui nacre-test-gl
 
 cat >design.nacre <<'D'
 {
@@ -89,5 +89,4 @@ tests() {
 tests core '-tc=design: random designs*,hostile design*'
 tests ui '-tc=material: *,lobes: *'
 tests gl '-ts=parity,variants'
-tests designer '-tc=tooltips: each kind of lobe'
 echo 'kinds: all work'
