@@ -16,7 +16,7 @@ leaning = {
 for name, layers in leaning.items():
     design = {"nacre": 1, "distribution": {"layers": layers}, "diffuse": {"model": "coupled"}}
     (folder / f"{name}.nacre").write_text(json.dumps(design))
-presets = [source / f"presets/{name}.nacre" for name in ("gold-painted-plastic", "brushed-gold", "satin")]
+presets = [source / f"presets/{name}.nacre" for name in ("ggx-steel", "brushed-gold", "satin")]
 pairs = pairs_above_the_horizon(100)
 first = [" ".join(line.split()[:3]) for line in pairs]
 symmetries = set()
