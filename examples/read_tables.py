@@ -6,8 +6,8 @@ c, material, symmetry, f0 = m["constants"], m["material"], m["symmetry"], np.arr
 table = {t["quantity"]: oiio.ImageBuf(folder + t["file"]).get_pixels(oiio.FLOAT) for t in m["tables"]}
 lobes = {"gaussian": lambda x, y, z: np.exp(-(x * x + y * y) / z**2), "ggx": lambda x, y, z: (x * x + y * y + z * z) ** -2,
          "beckmann": lambda x, y, z: np.exp(-(x * x + y * y) / z**2) / z**4, "hemisphere": lambda x, y, z: 1}
-if material["fresnel"] != "schlick" or material["shadowing"] != "uncorrelated" or material["diffuse"] == "lambertian":
-    sys.exit("read_tables.py: knows Schlick's Fresnel, uncorrelated masking and the diffuse models none, coupled and metal")
+if material["fresnel"] != "schlick" or material["shadowing"] == "correlated" or material["diffuse"] == "lambertian":
+    sys.exit("read_tables.py: knows Schlick's Fresnel, masking without azimuth and the diffuse models none, coupled and metal")
 def turns(a, b):  # azimuth of (a, b) in quarter turns
     t = (abs(b) - abs(a)) / (abs(a) + abs(b) or 1) - (not a and not b)
     u = 1 - np.copysign(0.5 - t * (6 - t * t) / 10, a)
@@ -33,8 +33,8 @@ def density(layer, h):  # one layer's part of p
     return layer["scale"] * lobes[layer["kind"]](x * layer["inverse_width"][0], y * layer["inverse_width"][1], z) if z > 0 else 0
 for line in sys.stdin:
     k1, k2 = (k / np.linalg.norm(k) for k in np.array(line.split(), float).reshape(2, 3))
-    (g, G1, P, R1, Ra), (_, G2, _, _, Rb), cosine = direction(k1), direction(k2), np.linalg.norm(k1 + k2) / 2
+    (g, G1, P, R1, Ra), (_, G2, P2, _, Rb), cosine = direction(k1), direction(k2), np.linalg.norm(k1 + k2) / 2
     albedo, one = np.array(material.get("diffuse_albedo", 0)), f0 if material["diffuse"] == "metal" else 1
     diffuse = np.array(material["coupling"]) * albedo * np.maximum(one - Ra, 0) * np.maximum(one - Rb, 0)
     fresnel, p = f0 + (1 - f0) * (1 - cosine) ** 5, sum(density(a, (k1 + k2) / (2 * cosine)) for a in m["distribution"]["layers"])
-    print(g, P, R1, *p * fresnel * c["N"] / (4 * G1 * G2) + diffuse)
+    print(g, P, R1, *p * fresnel * c["N"] / (4 * G1 * G2 * (1 - max(1 - P, 0) * max(1 - P2, 0) if material["shadowing"] == "smith_correlated" else 1)) + diffuse)

@@ -4,7 +4,7 @@ foreach(reader read_tables call_glsl)
     add_test(NAME "docs: ${reader}.py"
         COMMAND ${NACRE_DEBIAN_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/${reader}.py
                 $<TARGET_FILE:nacre-cli> ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/docs-test)
-    set_tests_properties("docs: ${reader}.py" PROPERTIES TIMEOUT 300)
+    set_tests_properties("docs: ${reader}.py" PROPERTIES TIMEOUT 900)
 endforeach()
 foreach(check links arrows)
     add_test(NAME "docs: ${check}"

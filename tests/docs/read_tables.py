@@ -8,15 +8,15 @@ reader = source / "examples/read_tables.py"
 if (count := len(reader.read_text().splitlines())) > 40:
     fail(f"{reader}: {count} lines, at most 40 are promised")
 folder.mkdir(parents=True, exist_ok=True)
-ggx = {"lobe": "ggx", "alpha_x": 0.1, "alpha_y": 0.4}
+ggx = {"lobe": "ggx", "alpha_x": 0.3, "alpha_y": 0.5}
 leaning = {
-    "half": [{**ggx, "tilt": 40}],
-    "none": [{**ggx, "rotation": 20}, {"lobe": "beckmann", "alpha_x": 0.3, "alpha_y": 0.3, "tilt": 30, "azimuth": 100}],
+    "half": [{**ggx, "tilt": 20}],
+    "none": [{**ggx, "rotation": 20}, {"lobe": "beckmann", "alpha_x": 0.3, "alpha_y": 0.3, "tilt": 20, "azimuth": 100}],
 }
 for name, layers in leaning.items():
     design = {"nacre": 1, "distribution": {"layers": layers}, "diffuse": {"model": "coupled"}}
     (folder / f"{name}.nacre").write_text(json.dumps(design))
-presets = [source / f"presets/{name}.nacre" for name in ("gold-painted-plastic", "brushed-gold", "satin")]
+presets = [source / f"presets/{name}.nacre" for name in ("ggx-steel", "brushed-gold", "satin")]
 pairs = pairs_above_the_horizon(100)
 first = [" ".join(line.split()[:3]) for line in pairs]
 symmetries = set()
