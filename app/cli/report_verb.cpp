@@ -13,6 +13,7 @@
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/output_folder.h"
 #include "core/exchange/output_guard.h"
+#include "core/exchange/plot_files.h"
 
 namespace nacre::cli {
 namespace {
@@ -59,7 +60,7 @@ std::vector<ReportFile> compose_report(const fs::path& folder, const std::vector
     for (const DesignAccuracy& design : designs)
         for (const ChartOf quantity : {ChartOf::area, ChartOf::albedo})
             files.push_back(
-                {folder / chart_file(design.file, quantity), svg_chart(accuracy_chart(design, quantity))});
+                {folder / chart_file(design.file, quantity), plot_svg(accuracy_chart(design, quantity))});
     files.push_back({folder / "report.csv", accuracy_csv(designs)});
     files.push_back({folder / "report.json", accuracy_json(designs)});
     files.push_back({folder / "report.md", accuracy_markdown(designs)});

@@ -32,15 +32,38 @@ std::string span_of(const std::string& first, const std::string& last) {
                        fmt::join(all.begin() + static_cast<long>(shared), all.end(), " "));
 }
 
-ChartLine line_of(const WayAccuracy& way, ChartOf quantity) {
-    ChartLine line{.name = way.name};
+Ink ink_of(WayKind kind) {
+    switch (kind) {
+        case WayKind::monte_carlo:
+            return Ink::first;
+        case WayKind::cubature:
+            return Ink::second;
+        case WayKind::plain_grid:
+            return Ink::third;
+        case WayKind::stretched:
+            return Ink::red;
+        case WayKind::bake:
+            return Ink::plain;
+        case WayKind::harmonics:
+            return Ink::fourth;
+    }
+    return Ink::plain;
+}
+
+PointSeries series_of(const WayAccuracy& way, ChartOf quantity) {
+    PointSeries line{.name = way.name, .ink = ink_of(way.kind)};
+    const double error_unit = quantity == ChartOf::area ? 0.01 : 1, time_unit = 1e-3;
     const std::vector<ShownPoint> points = shown_points(way, quantity);
     // The bake's own choices are no series, and stand by name.
     const bool by_name = way.kind == WayKind::bake;
     line.joined = !by_name;
     for (const ShownPoint& point : points) {
-        line.points.push_back({point.seconds, point.error.worst, by_name ? point.setting : ""});
-        if (!by_name) line.faint.push_back({point.seconds, point.error.root_mean_square});
+        const double time = point.seconds / time_unit;
+        line.points.emplace_back(time, point.error.worst / error_unit);
+        if (by_name)
+            line.labels.push_back(point.setting);
+        else
+            line.thin_points.emplace_back(time, point.error.root_mean_square / error_unit);
     }
     if (!points.empty())
         line.note = by_name ? "as it comes, in two qualities"
@@ -52,32 +75,32 @@ ChartLine line_of(const WayAccuracy& way, ChartOf quantity) {
 
 }  // namespace
 
-LogChart accuracy_chart(const DesignAccuracy& design, ChartOf quantity) {
+PointPlot accuracy_chart(const DesignAccuracy& design, ChartOf quantity) {
     const bool area = quantity == ChartOf::area;
-    LogChart chart;
+    PointPlot chart;
     chart.title = design.name.empty() ? design.file : one_line(design.name, 60);
     chart.subtitle =
         area ? "Projected area g: how far the table is from the truth, and how long it takes to make"
              : "Albedo R: how far the table is from the truth, and how long it takes to make";
-    chart.x = {"time from the design to the finished table, one thread", ChartUnit::seconds};
-    chart.y = area ? ChartAxis{"worst relative error of g", ChartUnit::percent}
-                   : ChartAxis{"worst error of R, which lies between 0 and 1", ChartUnit::parts};
+    chart.x.title = "time from the design to the finished table, one thread (ms)";
+    chart.y.title = area ? "worst relative error of g (%)" : "worst error of R, which lies between 0 and 1";
     for (const WayAccuracy& way : design.ways) {
-        ChartLine line = line_of(way, quantity);
-        if (!line.points.empty() || (area && !way.left_out.empty())) chart.lines.push_back(std::move(line));
+        PointSeries line = series_of(way, quantity);
+        if (!line.points.empty() || (area && !way.left_out.empty())) chart.series.push_back(std::move(line));
     }
     int directions = 0;
     for (const WayAccuracy& way : design.ways)
         for (const ShownPoint& point : shown_points(way, quantity)) directions = point.error.directions;
     chart.notes = {
-        area ? fmt::format(
-                   "Solid: worst of {} directions from the normal to grazing. Dotted: root mean square.",
-                   directions)
-             : fmt::format(
-                   "Solid: worst of {} directions from the normal to grazing, with F = 1 and with Schlick's "
-                   "factor of f0 = 0. Dotted: root mean square. The time is that of g and R together.",
-                   directions / 2),
+        area
+            ? fmt::format("Thick: worst of {} directions from the normal to grazing. Thin: root mean square.",
+                          directions)
+            : fmt::format(
+                  "Thick: worst of {} directions from the normal to grazing, with F = 1 and with Schlick's "
+                  "factor of f0 = 0. Thin: root mean square. The time is that of g and R together.",
+                  directions / 2),
         "What is above the chart is cut off; what is below stands at its foot."};
+    fit_axes(chart, area ? 1e-4 : 1e-6, area ? 100 : 1);
     return chart;
 }
 

@@ -1,12 +1,12 @@
-// Error beside time as a chart.
+// Error over time as a plot.
 #pragma once
 
 #include "core/exchange/accuracy_points.h"
-#include "core/exchange/log_chart.h"
+#include "core/plot/point_plot.h"
 
 namespace nacre {
 
-LogChart accuracy_chart(const DesignAccuracy& design, ChartOf quantity);
+PointPlot accuracy_chart(const DesignAccuracy& design, ChartOf quantity);
 
 std::string chart_file(const std::string& stem, ChartOf quantity);  // STEM-g.svg, STEM-R.svg
 

@@ -124,6 +124,15 @@ std::string plot_svg(const Plot& plot, const ShapeView& view) {
     return std::move(page).finished();
 }
 
+std::string plot_svg(const PointPlot& plot) {
+    constexpr glm::dvec2 size(1200, 680);
+    constexpr glm::dvec2 margin(36, 24);
+    SvgPage page(size, plot.title);
+    SvgPen pen(page);
+    draw_point_plot(pen, plot, {margin, size - margin});
+    return std::move(page).finished();
+}
+
 void check_plot_file(const std::filesystem::path& file) {
     const std::string ending = ending_of(file);
     if (ending != ".svg" && ending != ".csv")

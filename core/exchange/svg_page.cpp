@@ -33,15 +33,6 @@ void SvgPage::text(glm::dvec2 at, const std::string& text, const std::string& st
     svg_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", at.x, at.y, style, xml_text(text));
 }
 
-void SvgPage::upward_text(glm::dvec2 at, const std::string& text, const std::string& style) {
-    svg_ += fmt::format("<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" {}>{}</text>\n", at.x, at.y,
-                        style, xml_text(text));
-}
-
-void SvgPage::line(glm::dvec2 from, glm::dvec2 to, const std::string& style) {
-    svg_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", from.x, from.y, to.x, to.y, style);
-}
-
 void SvgPage::path(std::span<const glm::dvec2> points, const std::string& style) {
     if (points.size() < 2) return;
     svg_ +=
@@ -61,19 +52,6 @@ void SvgPage::circle(glm::dvec2 middle, double radius, const std::string& style)
     svg_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}/>\n", middle.x, middle.y, radius,
                         style);
 }
-
-void SvgPage::mark(glm::dvec2 at, const char* outline, const std::string& style) {
-    svg_ += fmt::format("<path transform=\"translate({:.1f} {:.1f})\" d=\"{}\" {}/>\n", at.x, at.y, outline,
-                        style);
-}
-
-void SvgPage::begin_clip(glm::dvec2 low, glm::dvec2 size) {
-    svg_ += fmt::format("<clipPath id=\"clip{}\">", ++clips_);
-    rectangle(low, size, "");
-    svg_ += fmt::format("</clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_);
-}
-
-void SvgPage::end_clip() { svg_ += "</g>\n"; }
 
 std::string SvgPage::finished() && { return std::move(svg_) + "</svg>\n"; }
 

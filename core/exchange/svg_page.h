@@ -21,24 +21,15 @@ class SvgPage {
     SvgPage(glm::dvec2 size, const std::string& title);
 
     void text(glm::dvec2 at, const std::string& text, const std::string& style = {});
-    void upward_text(glm::dvec2 at, const std::string& text, const std::string& style);
-    void line(glm::dvec2 from, glm::dvec2 to, const std::string& style);
     void path(std::span<const glm::dvec2> points, const std::string& style);     // nothing for a single one
     void polygon(std::span<const glm::dvec2> points, const std::string& style);  // closed
     void rectangle(glm::dvec2 low, glm::dvec2 size, const std::string& style);
     void circle(glm::dvec2 middle, double radius, const std::string& style);
-    // A path written as SVG has it, with its origin at `at`.
-    void mark(glm::dvec2 at, const char* outline, const std::string& style);
-
-    // What is drawn from begin_clip to end_clip is cut off outside the box.
-    void begin_clip(glm::dvec2 low, glm::dvec2 size);
-    void end_clip();
 
     std::string finished() &&;
 
   private:
     std::string svg_;
-    int clips_ = 0;
 };
 
 }  // namespace nacre

@@ -12,6 +12,9 @@ void stroked(PlotPen& pen, std::span<const glm::dvec2> points, const Series& ser
 
 double hair(const PlotPen& pen);  // breadth of a thin line
 
+// The box without the numbers at the left and the numbers and the title below.
+PlotBox inside_axes(PlotBox rest, const Axis& y, const PlotPen& pen);
+
 // Grid lines, numbers and the title below, along x and y.
 void draw_axes(PlotPen& pen, const PlotBox& area, const Axis& x, const Axis& y);
 

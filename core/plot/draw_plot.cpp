@@ -33,14 +33,6 @@ PlotBox take_legend(PlotLayout& layout, double width, const PlotPen& pen) {
     return rest;
 }
 
-// The box without the numbers at the left and below.
-PlotBox inside_axes(PlotBox rest, const Axis& y, const PlotPen& pen) {
-    rest.high.y -= foot_ems * pen.em();
-    rest.low.x += widest_number(pen, y, rest.size().y) + 0.8 * pen.em();
-    rest.low.y += 0.4 * pen.em();
-    return rest;
-}
-
 // The bilinear value of a slice at angles within it.
 dvec3 slice_value(const SlicePlot& plot, glm::dvec2 at) {
     const glm::dvec2 place = at * ((plot.side - 1) / 90.0);
@@ -65,6 +57,13 @@ template <class... Work>
 Overloaded(Work...) -> Overloaded<Work...>;
 
 }  // namespace
+
+PlotBox inside_axes(PlotBox rest, const Axis& y, const PlotPen& pen) {
+    rest.high.y -= foot_ems * pen.em();
+    rest.low.x += widest_number(pen, y, rest.size().y) + 0.8 * pen.em();
+    rest.low.y += 0.4 * pen.em();
+    return rest;
+}
 
 PlotLayout layout_plot(const Plot& plot, const PlotBox& box, const PlotPen& pen) {
     PlotLayout layout{.box = box, .area = box, .legend = box};

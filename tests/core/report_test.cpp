@@ -10,7 +10,7 @@
 #include "core/exchange/accuracy_chart.h"
 #include "core/exchange/accuracy_text.h"
 #include "core/exchange/csv_field.h"
-#include "core/exchange/log_chart.h"
+#include "core/exchange/plot_files.h"
 #include "core/exchange/xml_text.h"
 #include "core/measure/accuracy.h"
 #include "tests/core/designs.h"
@@ -99,7 +99,7 @@ TEST_CASE("the report's files are whole: CSV rows, JSON and XML") {
 
     for (const DesignAccuracy& report : reports)
         for (const ChartOf quantity : {ChartOf::area, ChartOf::albedo})
-            CHECK(is_well_formed(svg_chart(accuracy_chart(report, quantity))));
+            CHECK(is_well_formed(plot_svg(accuracy_chart(report, quantity))));
     CHECK(chart_file(reports[0].file, ChartOf::albedo) == "stem-R.svg");
     const std::string markdown = accuracy_markdown(reports);
     for (const char* part :
@@ -124,16 +124,21 @@ TEST_CASE("a name is text in a spreadsheet and in Markdown, whatever it begins w
 }
 
 TEST_CASE("a chart of nothing, of one point and of absurd ones is still XML") {
-    LogChart chart{.title = "<&>", .subtitle = "", .x = {"x"}, .y = {"y", ChartUnit::percent}};
-    CHECK(is_well_formed(svg_chart(chart)));
-    chart.lines.push_back({.name = "one", .points = {{1, 0.5, "label"}}});
-    CHECK(is_well_formed(svg_chart(chart)));
-    chart.lines.push_back(
+    PointPlot chart;
+    chart.title = "<&>";
+    const auto svg = [&] {
+        fit_axes(chart, 1e-6, 1);
+        return plot_svg(chart);
+    };
+    CHECK(is_well_formed(svg()));
+    chart.series.push_back({.name = "one", .points = {{1, 0.5}}, .labels = {"label"}});
+    CHECK(is_well_formed(svg()));
+    CHECK(svg().find(">label<") != std::string::npos);
+    chart.series.push_back(
         {.name = "absurd", .points = {{1e-9, 0}, {1e9, 1e300}, {3, 1e-300}, {4, INFINITY}, {5, NAN}}});
-    const std::string svg = svg_chart(chart);
-    CHECK(is_well_formed(svg));
-    CHECK(svg.find("nan") == std::string::npos);
-    CHECK(svg.find("inf") == std::string::npos);
+    CHECK(is_well_formed(svg()));
+    CHECK(svg().find("nan") == std::string::npos);
+    CHECK(svg().find("inf") == std::string::npos);
     CHECK(xml_text("a<b>&\"c\"\n") == "a&lt;b&gt;&amp;&quot;c&quot;\\n");
 }
 
