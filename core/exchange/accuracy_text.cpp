@@ -74,7 +74,7 @@ std::string accuracy_json(const std::vector<DesignAccuracy>& designs) {
         {"report", "error beside time"},
         {"version", 1},
         {"quantities",
-         {{"g", "|read - exact|/max(exact, N c (clamp), q/20)"},
+         {{"g", "|read - exact|/max(exact, q/20), both of G = max(g, N c) with clamp, of g without"},
           {"R1", "|read - exact|, F = 1"},
           {"R0", "|read - exact|, Schlick's factor of f0 = 0"}}},
         {"units",

@@ -242,7 +242,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
         "angles in radians unless said; colours "
         "linear Rec. 709";
     json["error"] = {{"g", error_json(errors.area)},
-                     {"g_is", "|g - exact|/max(exact, N z (clamp), q/20)"},
+                     {"g_is", "|G - exact G|/max(exact G, q/20)"},
                      {"R", error_json(errors.albedo)},
                      {"R_is", "|R - exact|"},
                      {"tolerance", tables.tolerance},
