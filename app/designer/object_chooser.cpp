@@ -12,19 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Entry {
-    const char* name;  // see make_object()
-    const char* label;
-    const char* tooltip;
-};
-
-constexpr Entry entries[] = {
-    {"sphere", "Sphere", "Every direction once. The grain runs around its axis."},
-    {"torus", "Torus", "Curved both ways, like a saddle inside. The grain runs around the ring."},
-    {"plate", "Plate", "A tile, a little domed, with round edges. The grain runs from left to right."},
-    {"tablecloth", "Tablecloth", "A cloth that has fallen over a round table. The grain is its weave."},
-};
-
 constexpr const char* file_tooltip =
     "A model of your own: a Wavefront OBJ file. It can also be dropped on the window.";
 
@@ -51,7 +38,7 @@ void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialo
     const std::string file_label =
         (own ? ui::as_label(fs::path(shelf_.wanted()).filename().string()) : "OBJ\u2026") + "##OBJ file";
     float needed = ui::button_breadth(file_label.c_str()) + 2 * gap;
-    for (const Entry& entry : entries) needed += ui::button_breadth(entry.label) + gap;
+    for (const ObjectKind* kind : object_kinds()) needed += ui::button_breadth(kind->label) + gap;
     if (needed > ImGui::GetContentRegionAvail().x)
         list(file_label, own, dialogs);
     else
@@ -65,8 +52,8 @@ void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialo
 
 void ObjectChooser::buttons(const std::string& file_label, bool own,
                             const std::optional<DialogProgram>& dialogs) {
-    for (const Entry& entry : entries) {
-        if (choice(entry.label, entry.tooltip, shelf_.wanted() == entry.name)) want(entry.name);
+    for (const ObjectKind* kind : object_kinds()) {
+        if (choice(kind->label, kind->about, shelf_.wanted() == kind->name)) want(kind->name);
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     }
     if (choice(file_label.c_str(), file_tooltip, own)) ask_file(dialogs);
@@ -76,17 +63,17 @@ void ObjectChooser::buttons(const std::string& file_label, bool own,
 void ObjectChooser::list(const std::string& file_label, bool own,
                          const std::optional<DialogProgram>& dialogs) {
     std::string present(ui::visible_text(file_label));
-    for (const Entry& entry : entries)
-        if (shelf_.wanted() == entry.name) present = entry.label;
+    for (const ObjectKind* kind : object_kinds())
+        if (shelf_.wanted() == kind->name) present = kind->label;
     ImGui::SetNextItemWidth(-ImGui::GetStyle().ItemSpacing.x - (shelf_.busy() ? ImGui::GetFontSize() : 0));
     const bool open = ImGui::BeginCombo("##object", present.c_str());
     ui::note_item("Object");
     ui::tooltip_for_item("What the light falls on.");
     if (!open) return;
-    for (const Entry& entry : entries) {
-        if (ImGui::Selectable(entry.label, shelf_.wanted() == entry.name)) want(entry.name);
-        ui::note_item(entry.label);
-        ui::tooltip_for_item(entry.tooltip);
+    for (const ObjectKind* kind : object_kinds()) {
+        if (ImGui::Selectable(kind->label, shelf_.wanted() == kind->name)) want(kind->name);
+        ui::note_item(kind->label);
+        ui::tooltip_for_item(kind->about);
     }
     if (ImGui::Selectable(file_label.c_str(), own)) ask_file(dialogs);
     ui::note_item(file_label);

@@ -1,23 +1,28 @@
 #include "app/preview/object.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/exchange/file_ending.h"
 #include "core/exchange/obj_file.h"
-#include "core/geometry/shapes.h"
-#include "core/geometry/tablecloth.h"
 
 namespace nacre {
-namespace {
 
-SceneObject with_mesh(const std::string& name, Mesh mesh, double pitch) {
-    return {name, std::make_shared<const Mesh>(std::move(mesh)), pitch, {}};
+std::span<const ObjectKind* const> object_kinds() {
+    static const std::array list{
+#define OBJECT(name) &name##_object,
+#include "app/preview/object_list.inc"
+#undef OBJECT
+    };
+    return list;
 }
 
-}  // namespace
-
-std::vector<std::string> object_names() { return {"sphere", "torus", "plate", "tablecloth"}; }
+std::vector<std::string> object_names() {
+    std::vector<std::string> names;
+    for (const ObjectKind* kind : object_kinds()) names.emplace_back(kind->name);
+    return names;
+}
 
 bool names_object(const std::string& name) {
     const std::vector<std::string> names = object_names();
@@ -26,12 +31,12 @@ bool names_object(const std::string& name) {
 }
 
 SceneObject make_object(const std::string& name) {
-    if (name == "sphere") return {};
-    if (name == "torus") return with_mesh(name, torus(), 50);
-    if (name == "plate") return with_mesh(name, plate(), 0);
-    if (name == "tablecloth") return with_mesh(name, cloth_mesh(draped_cloth()), 24);
+    constexpr double file_pitch = 15;
+    for (const ObjectKind* kind : object_kinds())
+        if (kind->name == name)
+            return {name, kind->mesh ? std::make_shared<const Mesh>(kind->mesh()) : nullptr, kind->pitch, {}};
     std::string note;
-    SceneObject object = with_mesh(name, load_obj(name, &note), 15);
+    SceneObject object{name, std::make_shared<const Mesh>(load_obj(name, &note)), file_pitch, {}};
     object.note = std::move(note);
     return object;
 }

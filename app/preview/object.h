@@ -2,8 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/geometry/mesh.h"
@@ -19,7 +19,22 @@ struct SceneObject {
     bool operator==(const SceneObject&) const = default;
 };
 
-// "sphere", "torus", "plate", "tablecloth".
+// An object that needs no file: one file for each, app/preview/objects/NAME.cpp, and its line in
+// object_list.inc.
+struct ObjectKind {
+    const char* name;   // on the command line
+    const char* label;  // in the window
+    const char* about;
+    Mesh (*mesh)();  // null: the sphere
+    double pitch;    // see SceneObject
+};
+
+std::span<const ObjectKind* const> object_kinds();
+
+#define OBJECT(name) extern const ObjectKind name##_object;
+#include "app/preview/object_list.inc"
+#undef OBJECT
+
 std::vector<std::string> object_names();
 
 // Whether it is one of object_names() or ends in .obj.

@@ -1,7 +1,8 @@
 #!/bin/bash
 # kinds.sh SOURCE FOLDER: a kind is one file (two with GLSL) and one line in a list. In a copy of the tree a lobe, a
-# Fresnel, a masking and a diffuse model, a verb, an export format and an environment are added just so; all of it must build, and
-# each work in whatever follows from the lists: files, checks, fields, bake, preview against core, manifest, exports.
+# Fresnel, a masking and a diffuse model, a verb, an export format, an environment and an object are added just so; all
+# of it must build, and each work in whatever follows from the lists: files, checks, fields, bake, preview against
+# core, manifest, exports.
 set -euo pipefail
 source=$(realpath "$1") folder=$2
 more=$source/tests/kinds/more
@@ -45,6 +46,10 @@ echo 'environment halves:'
 add halves.cpp core/light/environments/halves.cpp
 line core/light/environment_list.inc 'ENVIRONMENT(halves)'
 
+echo 'object ring:'
+add ring.cpp app/preview/objects/ring.cpp
+line app/preview/object_list.inc 'OBJECT(ring)'
+
 cd "$tree"
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 cmake --preset release -DNACRE_TESTS=ON -DNACRE_BENCH=OFF >/dev/null
@@ -79,7 +84,7 @@ $bin/nacre-cli export design.nacre --to constants -o constants.txt
 has constants.txt '^N '
 $bin/nacre-cli count design.nacre | grep -qx 2
 $bin/nacre-cli render design.nacre -o picture.png --size 64
-$bin/nacre-cli render design.nacre -o lit.png --size 64 --environment halves
+$bin/nacre-cli render design.nacre -o lit.png --size 64 --environment halves --object ring
 # What follows from the lists: random designs through the file, the panels, GLSL of every kind, preview against core.
 # tests PROGRAM FILTER: a filter that matches nothing fails.
 tests() {
