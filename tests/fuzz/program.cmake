@@ -41,6 +41,7 @@ endforeach()
 file(GLOB picture_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/pictures/*.cpp)
 add_library(nacre_fuzz_pictures OBJECT ${picture_sources})
 target_include_directories(nacre_fuzz_pictures PUBLIC ${PROJECT_SOURCE_DIR} ${NACRE_GENERATED})
+target_compile_definitions(nacre_fuzz_pictures PRIVATE NACRE_VERSION="${PROJECT_VERSION}")
 target_link_libraries(nacre_fuzz_pictures PUBLIC nacre_options fmt::fmt OpenImageIO::OpenImageIO PkgConfig::WebP
     ZLIB::ZLIB)
 foreach(format png jpeg openexr tiff hdr pnm webp targa bmp psd dds jpeg2000 heif)
