@@ -14,6 +14,7 @@ constexpr int grazing_probes = 24;
 
 // A search looks into one of so many cells, and at the least into so many; it climbs from so many points.
 constexpr int cells_each = 80, cells_least = 4, climbs = 5;
+constexpr int thorough_cells_each = 10, thorough_climbs = 24;
 
 // Directions in the layer before the horizon that it looks at.
 constexpr std::size_t layer_probes = 8;
@@ -137,17 +138,19 @@ std::vector<TablePoint> AlbedoTable::layer_points(Workers& workers) const {
     return points;
 }
 
-void AlbedoTable::search(double enough, AxisError& error, std::vector<KnownAlbedo>& known,
+void AlbedoTable::search(double enough, Search how, AxisError& error, std::vector<KnownAlbedo>& known,
                          Workers& workers) const {
     const TableCells cells = this->cells();
     const std::size_t first = known.size();
+    const bool thorough = how == Search::thorough;
     WorstSearch search(cells,
                        [&](const std::vector<TablePoint>& points) { return sample(points, known, workers); });
-    search.look_at_bends(cell_bends_of_all(), std::max(cells.count() / cells_each, cells_least),
-                         cells.count() > rules_.most_probes());
+    search.look_at_bends(cell_bends_of_all(),
+                         std::max(cells.count() / (thorough ? thorough_cells_each : cells_each), cells_least),
+                         thorough || cells.count() > rules_.most_probes());
     search.look_at(layer_points(workers));
     search.know(points_, errors_);
-    if (search.worst() > enough) search.climb(climbs);
+    if (search.worst() > enough) search.climb(thorough ? thorough_climbs : climbs);
     search.add_to(error);
     error.all.directions += static_cast<int>(known.size() - first);
 }

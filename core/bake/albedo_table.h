@@ -69,7 +69,8 @@ class AlbedoTable {
 
     // Looks where the table may err more than `error` tells, and further where that is more than `enough`;
     // adds to `error` what it finds and to `known` where it looked.
-    void search(double enough, AxisError& error, std::vector<KnownAlbedo>& known, Workers& workers) const;
+    void search(double enough, Search how, AxisError& error, std::vector<KnownAlbedo>& known,
+                Workers& workers) const;
 
     // The worst error at those directions, and the worst so many of them.
     double worst_at(const std::vector<KnownAlbedo>& known) const;

@@ -20,8 +20,20 @@ constexpr std::size_t worst_looked_at = 24;
 // Beyond those between nodes.
 constexpr int grazing_samples = 96;
 
-// A search looks into one of so many cells, and at the least into so many; it climbs from so many points.
-constexpr int cells_each = 24, cells_least = 8, climbs = 6;
+// A search looks into one of so many cells, and at the least into so many; it climbs from so many points. A
+// thorough one looks into every cell.
+constexpr int cells_each = 24, cells_least = 8, climbs = 6, thorough_climbs = 32;
+
+// The last cell of each row, on the row and between rows: what bends near the horizon stands at no usual
+// place.
+std::vector<TablePoint> places_beside_horizon(const TableCells& cells) {
+    std::vector<TablePoint> points;
+    const int last = cells.flat() ? 0 : 2 * cells.rows() - (cells.closed() ? 1 : 0);
+    for (int half = 0; half <= last; ++half)
+        for (const double beside : {0.2, 0.1, 0.05, 0.02, 0.01, 0.003})
+            points.push_back({cells.columns() - beside, 0.5 * half, TablePlace::centre});
+    return points;
+}
 
 }  // namespace
 
@@ -166,11 +178,12 @@ std::vector<double> AreaTable::node_weights(const Shading<double>& shading) cons
     return weights;
 }
 
-void AreaTable::search(const Shading<double>& material, double enough, AxisError& error,
+void AreaTable::search(const Shading<double>& material, double enough, Search how, AxisError& error,
                        std::vector<KnownArea>& known, Workers& workers) const {
     const Shading<double> shading = this->shading(material);
     const TableCells cells = this->cells();
     const std::size_t first = known.size();
+    const bool thorough = how == Search::thorough;
     WorstSearch search(cells, [&](const std::vector<TablePoint>& points) {
         const std::size_t begin = known.size();
         known.resize(begin + points.size());
@@ -184,7 +197,9 @@ void AreaTable::search(const Shading<double>& material, double enough, AxisError
         return errors;
     });
     search.look_at_bends(cell_bends(nodes_, grid_->symmetry(), data_.data(), node_weights(shading)),
-                         std::max(cells.count() / cells_each, cells_least), !all_measured());
+                         thorough ? cells.count() : std::max(cells.count() / cells_each, cells_least),
+                         thorough || !all_measured());
+    if (thorough) search.look_at(places_beside_horizon(cells));
     std::vector<TablePoint> points;
     std::vector<double> errors;
     for (std::size_t i = node_count(); i < samples_->size(); ++i) {
@@ -192,7 +207,7 @@ void AreaTable::search(const Shading<double>& material, double enough, AxisError
         errors.push_back(area_error(shading, (*samples_)[i].k, area_at(i)));
     }
     search.know(points, errors);
-    if (search.worst() > enough) search.climb(climbs);
+    if (search.worst() > enough) search.climb(thorough ? thorough_climbs : climbs);
     search.add_to(error);
     error.all.directions += static_cast<int>(known.size() - first);
 }

@@ -9,6 +9,7 @@
 #include "core/bake/table_points.h"
 #include "core/bake/tables.h"
 #include "core/bake/workers.h"
+#include "core/bake/worst_search.h"
 
 namespace nacre {
 
@@ -43,7 +44,7 @@ class AreaTable {
 
     // Looks where the table may err more than `error` tells, and further where that is more than `enough`;
     // adds to `error` what it finds and to `known` where it looked.
-    void search(const Shading<double>& material, double enough, AxisError& error,
+    void search(const Shading<double>& material, double enough, Search how, AxisError& error,
                 std::vector<KnownArea>& known, Workers& workers) const;
 
     // The worst error at those directions.

@@ -76,9 +76,9 @@ class AreaMaker {
         return result;
     }
 
-    void search(Result& result) {
+    void search(Result& result, Search how = Search::usual) {
         if (plan_.quality == Quality::draft) return;
-        result.table->search(material_, enough_, result.error, known_, workers_);
+        result.table->search(material_, enough_, how, result.error, known_, workers_);
         result.error.all.worst = shared(result);
     }
 
@@ -114,9 +114,9 @@ class AlbedoMaker {
         return result;
     }
 
-    void search(Result& result) {
+    void search(Result& result, Search how = Search::usual) {
         if (plan_.quality == Quality::draft) return;
-        result.table->search(enough_, result.error, known_, workers_);
+        result.table->search(enough_, how, result.error, known_, workers_);
         result.error.all.worst = shared(result);
     }
 
@@ -175,6 +175,8 @@ FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution
     }
     maker.leave_out_moment(taken == &without);
     fitted = taken->beyond(fitted);
+    // What does not keep to the tolerance is claimed for what it is.
+    if (fitted.error.all.worst > tolerance) maker.search(fitted, Search::thorough);
     return {fitted.table, fitted.error, fitted.nodes, taken->tried()};
 }
 
@@ -203,6 +205,7 @@ FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, cons
         fitted = fit.within_limit(first);
     }
     fitted = fit.beyond(fitted);
+    if (fitted.error.all.worst > wishes.tolerance) maker.search(fitted, Search::thorough);
     return {fitted.table->data(), fitted.error.all, fitted.nodes, fit.tried()};
 }
 

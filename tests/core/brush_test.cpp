@@ -159,7 +159,9 @@ TEST_CASE("brush: it does not matter how the way is parted into events") {
         const auto seed = *rc::gen::arbitrary<std::uint64_t>();
         Random random(seed);
         const Raster before = symmetric_picture(128);
-        std::vector<dvec3> coarse = {test::random_direction(random)}, fine = coarse;
+        std::vector<dvec3> coarse, fine;
+        coarse.push_back(test::random_direction(random));
+        fine.push_back(coarse.front());
         for (int leg = 0; leg < 3; ++leg) {
             const dvec3 a = coarse.back(), b = test::random_direction(random);
             const int parts = 1 + static_cast<int>(20 * uniform_random(random));
