@@ -20,7 +20,7 @@ constexpr double layer_claim = 0.05;
 struct LeaningClaims {
     double clamped, unclamped;
 };
-constexpr LeaningClaims weakly_correlated{0.15, 0.4}, strongly_correlated{1, 1.5};
+constexpr LeaningClaims weakly_correlated{0.15, 0.9}, strongly_correlated{1, 1.5};
 constexpr const char* no_facets = "the layer holds no facets";
 constexpr const char* faces_down = "the facets must face up on the whole";
 

@@ -72,6 +72,12 @@ TEST_CASE("tables that hold no number fail every check that reads them") {
     CHECK(measure_sampling(*albedo, {}).mean == limits::infinity);
 }
 
+TEST_CASE("the check of sampling is of whole facets, whatever share of them the diffuse model leaves") {
+    Design design = design_of(GgxLobe{0.3, 0.3});
+    design.diffuse = LambertianDiffuse{.kd = 0.5, .ks = 0.25};
+    CHECK(measure_sampling(*bake(design, {.albedo = true}), {}).mean < 0.02);
+}
+
 TEST_CASE("a claim allows the tolerance, or a quarter more than the bake measured") {
     CHECK(allowed_error({.worst = 5e-4}, 1e-3) == 1e-3);
     CHECK(allowed_error({.worst = 4e-3}, 1e-3) == 5e-3);
