@@ -83,8 +83,8 @@ glslangValidator brdf.frag
 $bin/nacre-cli export design.nacre --to constants -o constants.txt
 has constants.txt '^N '
 $bin/nacre-cli count design.nacre | grep -qx 2
-$bin/nacre-cli render design.nacre -o picture.png --size 64
-$bin/nacre-cli render design.nacre -o lit.png --size 64 --environment halves --object ring
+$bin/nacre-cli render design.nacre -o picture.png --size 64x64
+$bin/nacre-cli render design.nacre -o lit.png --size 64x64 --environment halves --object ring
 # What follows from the lists: random designs through the file, the panels, GLSL of every kind, preview against core.
 # tests PROGRAM FILTER: a filter that matches nothing fails.
 tests() {
