@@ -22,7 +22,8 @@ dvec3 not_below_lowest(dvec3 k);
 std::vector<double> cell_bends(TableNodes nodes, Symmetry symmetry, const float* values,
                                const std::vector<double>& weights);
 
-// How many cells and climbs: thorough where the error is more than was wanted, so that what is claimed is known better.
+// How many cells and climbs: thorough where the error is more than was wanted, so that what is claimed is
+// known better.
 enum class Search { usual, thorough };
 
 // The errors of one table at chosen points, and the worst of them.
