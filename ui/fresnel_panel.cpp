@@ -5,10 +5,9 @@
 namespace nacre::ui {
 
 bool fresnel_panel(Fresnel& fresnel) {
-    const glm::dvec3 f0 = normal_reflectance(fresnel);
     const bool chosen =
         kind_combo("Reflection", fresnel, "F(k\u00b7h), how much a facet mirrors at each angle.",
-                   [&]<class T>() { return T::of_normal_reflectance(f0); });
+                   [&]<class T>() { return T::of_normal_reflectance(normal_reflectance(fresnel)); });
     return kind_fields(fresnel) || chosen;
 }
 

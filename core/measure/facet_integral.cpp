@@ -16,8 +16,8 @@ using Pair = Values<2>;
 
 constexpr double check_tolerance = 1e-9;
 constexpr int depth = 18;
-constexpr int grid_side =
-    1500;  // points along azimuth and along the angle from the axis, of a modulated lobe
+// Of a modulated lobe: points along azimuth and along the angle from the axis.
+constexpr int grid_side = 1500;
 
 // p and (k.h)+ p over one hemisphere, the second divided by `unit`.
 class SpanIntegral {

@@ -13,10 +13,10 @@ namespace nacre {
 // Besides what every kind has:
 //
 //   reads_albedo  whether it reads R, so that the tables must hold it
-//   shader()      the numbers that shaders/diffuse/NAME.glsl reads; f0 is the design's reflectance at normal
-//   incidence own_albedo()  the albedo it was given, if it has one of its own of_albedo()   the model that
-//   carries an albedo on formula       the whole BRDF, as the manifest of exported tables has it note what
-//   the window says of it where it has no parameter
+//   shader()      the numbers that shaders/diffuse/NAME.glsl reads; f0 is F(1) of the design
+//   own_albedo()  the albedo it was given, if it has one of its own; of_albedo() carries one on
+//   formula       the whole BRDF, as the manifest of exported tables has it
+//   note          what the window says of it where it has no parameter
 template <class T>
 concept DiffuseModel = Kind<T> && requires(const T model, glm::dvec3 albedo) {
     { T::reads_albedo } -> std::convertible_to<bool>;

@@ -24,8 +24,8 @@ struct ParameterText {
     std::string_view key;
     const char* label;
     const char* tooltip;
-    std::string_view key_in_tables =
-        {};  // in the manifest of exported tables, where it has another name there
+    // In the manifest of exported tables, where it has another name there.
+    std::string_view key_in_tables = {};
 
     constexpr std::string_view table_key() const { return key_in_tables.empty() ? key : key_in_tables; }
 };
