@@ -10,7 +10,7 @@ function(nacre_embed target)
     endforeach()
     set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
     file(CONFIGURE OUTPUT ${source} @ONLY CONTENT
-"#include \"shader_text.h\"
+"#include \"shaders/shader_text.h\"
 #include <utility>
 namespace nacre {
 namespace {
@@ -25,6 +25,7 @@ std::string_view shader_text(std::string_view name) {
 }  // namespace nacre
 ")
     add_library(${target} OBJECT ${source})
-    target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+    nacre_publish(${NACRE_ROOMS}/shaders shaders)
+    target_include_directories(${target} PUBLIC ${NACRE_ROOMS}/shaders)
     target_link_libraries(${target} PRIVATE nacre_options)
 endfunction()

@@ -5,5 +5,5 @@
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
 #include "core/bake/brdf_pairs.h"
+#include "core/base/error.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"

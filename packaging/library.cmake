@@ -2,10 +2,13 @@
 # the Debian package of the programs leaves out.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/nacre)
-install(TARGETS nacre_core EXPORT nacre-targets COMPONENT library
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nacre
-    FILE_SET made DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nacre)
+set(header_sets "")
+get_target_property(sets nacre_core INTERFACE_HEADER_SETS)
+foreach(set IN LISTS sets)
+    list(APPEND header_sets FILE_SET ${set} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nacre)
+endforeach()
+install(TARGETS nacre_core EXPORT nacre-targets COMPONENT library ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    ${header_sets})
 install(EXPORT nacre-targets NAMESPACE nacre:: DESTINATION ${package_folder} COMPONENT library)
 configure_file(nacre-config.cmake nacre-config.cmake COPYONLY)
 # Before 1.0 a new minor version may change the headers.

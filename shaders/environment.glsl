@@ -1,4 +1,4 @@
-// The surroundings by latitude and longitude; core/light/lat_long.h says which way is which.
+// The surroundings by latitude and longitude; core/image/lat_long.h says which way is which.
 
 uniform sampler2D environment_picture;  // radiance; row 0 touches the zenith
 uniform mat3 view_to_environment;

@@ -1,6 +1,6 @@
 #include "ui/balance_buttons.h"
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/paint/balance.h"
 #include "ui/canvas_path.h"
 #include "ui/widgets.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/paint/srgb.h"
+#include "core/image/srgb.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"

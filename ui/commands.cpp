@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 #include "ui/item_map.h"
 #include "ui/key_press.h"
 #include "ui/keys.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 #include "ui/dialogs.h"
 #include "ui/item_map.h"
 #include "ui/keys.h"

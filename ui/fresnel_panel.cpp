@@ -1,4 +1,4 @@
-#include "core/model/surface.h"
+#include "core/shading/surface.h"
 #include "ui/kind_fields.h"
 #include "ui/material_panel.h"
 

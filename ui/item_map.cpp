@@ -1,6 +1,6 @@
 #include "ui/item_map.h"
 
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 
 namespace nacre::ui {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/model/raster.h"
+#include "core/image/raster.h"
 
 namespace nacre::ui {
 

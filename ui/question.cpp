@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 #include "ui/dialogs.h"
 #include "ui/escape.h"
 #include "ui/keys.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"

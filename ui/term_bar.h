@@ -1,7 +1,7 @@
 // The row above the preview: what of the BRDF it shows.
 #pragma once
 
-#include "core/bake/term.h"
+#include "core/shading/term.h"
 
 namespace nacre::ui {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 #include "ui/fonts.h"
 
 namespace nacre::cli {

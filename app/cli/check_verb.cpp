@@ -7,7 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
-#include "core/measure/physics_check.h"
+#include "core/verify/physics_check.h"
 
 namespace nacre::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/preview/render.h"
+#include "core/base/system/interrupt.h"
 
 namespace nacre::cli {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/interrupt.h"
 #include "core/bake/bake.h"
+#include "core/base/error.h"
+#include "core/base/system/interrupt.h"
 #include "core/design/design.h"
-#include "core/design/error.h"
 
 namespace nacre::cli {
 

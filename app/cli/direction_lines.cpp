@@ -15,7 +15,7 @@
 #include "app/cli/line_source.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "app/cli/interrupt.h"
+#include "core/base/system/interrupt.h"
 
 namespace nacre::cli {
 

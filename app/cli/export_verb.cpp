@@ -6,7 +6,7 @@
 #include "app/cli/output_option.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
-#include "core/exchange/output_guard.h"
+#include "core/base/system/output_guard.h"
 #include "core/formats/export_format.h"
 
 namespace nacre::cli {

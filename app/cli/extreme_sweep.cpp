@@ -8,7 +8,7 @@
 
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
-#include "core/measure/extreme_check.h"
+#include "core/study/extreme_check.h"
 
 namespace nacre::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/cli/interrupt.h"
+#include "core/base/system/interrupt.h"
 
 namespace nacre::cli {
 

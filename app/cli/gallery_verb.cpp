@@ -14,12 +14,12 @@
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "app/headless/offscreen_context.h"
+#include "core/base/system/atomic_file.h"
+#include "core/base/system/output_folder.h"
+#include "core/base/system/output_guard.h"
 #include "core/design/design_file.h"
 #include "core/design/picture_files.h"
-#include "core/exchange/atomic_file.h"
-#include "core/exchange/image_file.h"
-#include "core/exchange/output_folder.h"
-#include "core/exchange/output_guard.h"
+#include "core/image/image_file.h"
 
 namespace nacre::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
-#include "core/exchange/error_json.h"
-#include "core/exchange/table_files.h"
+#include "core/formats/error_json.h"
+#include "core/formats/table_files.h"
 
 namespace nacre::cli {
 namespace {

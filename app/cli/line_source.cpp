@@ -1,56 +1,43 @@
 #include "app/cli/line_source.h"
 
 #include <fmt/core.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <system_error>
+#include <chrono>
 
-#include "core/design/error.h"
-#include "core/exchange/input_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/system/standard_streams.h"
 
 namespace nacre::cli {
 namespace {
 
 constexpr std::size_t block = 4u << 20;     // bytes that are read at once, if they are there
 constexpr std::size_t line_max = 1u << 16;  // bytes: an input without ends of lines cannot fill the memory
-constexpr int look_milliseconds = 50;       // between looks at Ctrl+C
+constexpr std::chrono::milliseconds between_looks{50};  // at Ctrl+C
 
 }  // namespace
 
-LineSource::LineSource(const Interrupt& interrupt) : interrupt_(interrupt) {
-    struct stat status {};
-    if (::fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode))
-        size_ = static_cast<double>(status.st_size);
-}
+LineSource::LineSource(const Interrupt& interrupt)
+    : interrupt_(interrupt), size_(static_cast<double>(input_size().value_or(0))) {}
 
 double LineSource::done() const { return size_ > 0 ? std::min(taken_ / size_, 1.0) : 0; }
 
 bool LineSource::read_more() {
-    pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-    for (int ready = 0; ready == 0 || (ready < 0 && errno == EINTR);) {
-        interrupt_.check();
-        ready = ::poll(&input, 1, look_milliseconds);
-    }
+    do interrupt_.check();
+    while (!input_is_ready(between_looks));
     buffer_.erase(0, begin_);
     begin_ = 0;
     const std::size_t kept = buffer_.size();
     buffer_.resize(kept + block);
-    const ssize_t count = ::read(STDIN_FILENO, buffer_.data() + kept, block);
-    const int error = errno;
-    buffer_.resize(kept + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count < 0 && error != EINTR && error != EAGAIN)
-        throw UserError("standard input", "read", "it cannot be read",
-                        std::generic_category().message(error));
+    const auto count = read_input(buffer_.data() + kept, block);
+    buffer_.resize(kept + count.value_or(0));
     return count != 0;
 }
 
 void LineSource::check_length(std::string_view text) const {
     if (text.size() > line_max)
-        throw UserError("standard input", fmt::format("line {}", number_ + 1),
+        throw UserError(standard_input, fmt::format("line {}", number_ + 1),
                         fmt::format("longer than {} bytes", line_max), one_line(text.substr(0, 40)) + "...");
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/interrupt.h"
+#include "core/base/system/interrupt.h"
 
 namespace nacre::cli {
 

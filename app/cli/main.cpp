@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
 #include "core/bake/bake.h"
-#include "core/exchange/standard_streams.h"
+#include "core/base/system/interrupt.h"
+#include "core/base/system/standard_streams.h"
 
 namespace {
 
@@ -31,7 +31,7 @@ template <class Work>
 int guarded(const Work& work) {
     try {
         return work();
-    } catch (const cli::ReaderGone&) {
+    } catch (const ReaderGone&) {
         return failed;
     } catch (const BakeCancelled&) {
         return complain("stopped", failed);
@@ -44,7 +44,7 @@ int guarded(const Work& work) {
 
 int say(const std::string& text) {
     return guarded([&] {
-        cli::write_output(text);
+        write_output(text);
         return done;
     });
 }
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
         return complain(error.what(), failed);
     }
     return guarded([&] {
-        cli::Interrupt interrupt;
+        Interrupt interrupt("nacre-cli: stopped\n");
         return action(interrupt);
     });
 }

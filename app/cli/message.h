@@ -1,15 +1,13 @@
-// Standard error: what went wrong, and how far the work is. Whether anybody reads it changes nothing.
 #pragma once
 
-#include <chrono>
 #include <string_view>
 
 namespace nacre::cli {
 
-// `nacre-cli: WHAT`, on one line.
+// `nacre-cli: WHAT`, on one line of standard error. Whether anybody reads it changes nothing.
 void complain(std::string_view what);
 
-// The text as it is; what cannot be written within the time is lost.
-void write_message(std::string_view text, std::chrono::milliseconds patience);
+// The same of what is done nonetheless.
+void warn(std::string_view about, std::string_view message);
 
 }  // namespace nacre::cli

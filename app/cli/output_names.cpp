@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "core/exchange/output_guard.h"
+#include "core/base/system/output_guard.h"
 
 namespace nacre::cli {
 

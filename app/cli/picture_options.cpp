@@ -9,8 +9,8 @@
 
 #include "app/cli/output.h"
 #include "app/cli/standard_input.h"
-#include "core/design/error.h"
-#include "core/exchange/environment_file.h"
+#include "core/base/error.h"
+#include "core/formats/environment_file.h"
 #include "core/light/procedural.h"
 
 namespace nacre::cli {
@@ -32,7 +32,7 @@ bool parse_size(std::string_view text, int smallest, glm::ivec2& size) {
 
 std::shared_ptr<const Environment> load_surrounding(const std::string& name) {
     if (name != stream_name) return load_environment(name);
-    const SpooledInput input;
+    const MemoryFile input = spooled_input();
     try {
         return load_environment(input.path());
     } catch (const UserError& error) {

@@ -6,8 +6,8 @@
 #include "app/cli/output.h"
 #include "app/cli/output_option.h"
 #include "app/cli/verbs.h"
-#include "core/exchange/output_guard.h"
-#include "core/exchange/plot_files.h"
+#include "core/base/system/output_guard.h"
+#include "core/formats/plot_files.h"
 
 namespace nacre::cli {
 namespace {

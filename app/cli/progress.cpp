@@ -1,12 +1,11 @@
 #include "app/cli/progress.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/message.h"
+#include "core/base/system/standard_streams.h"
 
 namespace nacre::cli {
 namespace {
@@ -18,7 +17,7 @@ constexpr auto between = std::chrono::milliseconds(100);
 }  // namespace
 
 Progress::Progress(std::string what)
-    : what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) == 1), next_(Clock::now() + first_after) {}
+    : what_(std::move(what)), terminal_(error_is_terminal()), next_(Clock::now() + first_after) {}
 
 Progress::~Progress() {
     if (drawn_) write_message("\r\033[K", between);

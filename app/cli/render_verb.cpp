@@ -8,8 +8,8 @@
 #include "app/cli/verbs.h"
 #include "app/headless/offscreen_context.h"
 #include "app/preview/render.h"
-#include "core/exchange/image_file.h"
-#include "core/exchange/output_guard.h"
+#include "core/base/system/output_guard.h"
+#include "core/image/image_file.h"
 
 namespace nacre::cli {
 namespace {

@@ -8,12 +8,12 @@
 #include "app/cli/output_option.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
-#include "core/exchange/accuracy_chart.h"
-#include "core/exchange/accuracy_text.h"
-#include "core/exchange/atomic_file.h"
-#include "core/exchange/output_folder.h"
-#include "core/exchange/output_guard.h"
-#include "core/exchange/plot_files.h"
+#include "core/base/system/atomic_file.h"
+#include "core/base/system/output_folder.h"
+#include "core/base/system/output_guard.h"
+#include "core/formats/plot_files.h"
+#include "core/study/accuracy_chart.h"
+#include "core/study/accuracy_text.h"
 
 namespace nacre::cli {
 namespace {

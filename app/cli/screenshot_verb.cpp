@@ -4,9 +4,9 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/verbs.h"
 #include "app/headless/screenshot.h"
-#include "core/exchange/image_file.h"
-#include "core/exchange/input_file.h"
-#include "core/exchange/output_guard.h"
+#include "core/base/input_file.h"
+#include "core/base/system/output_guard.h"
+#include "core/image/image_file.h"
 
 namespace nacre::cli {
 namespace {

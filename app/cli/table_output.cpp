@@ -1,8 +1,8 @@
 #include "app/cli/table_output.h"
 
 #include "app/cli/design_input.h"
-#include "core/exchange/output_guard.h"
-#include "core/exchange/table_files.h"
+#include "core/base/system/output_guard.h"
+#include "core/formats/table_files.h"
 
 namespace nacre::cli {
 WrittenTables write_tables(const std::filesystem::path& design, const std::filesystem::path& folder,

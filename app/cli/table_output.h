@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "app/cli/interrupt.h"
 #include "core/bake/bake.h"
-#include "core/measure/table_error.h"
+#include "core/base/system/interrupt.h"
+#include "core/verify/table_error.h"
 
 namespace nacre::cli {
 

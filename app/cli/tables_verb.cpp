@@ -9,7 +9,7 @@
 #include "app/cli/verbs.h"
 #include "core/bake/bake.h"
 #include "core/design/design_file.h"
-#include "core/measure/reference.h"
+#include "core/verify/reference.h"
 
 namespace nacre::cli {
 namespace {

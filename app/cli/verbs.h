@@ -5,7 +5,7 @@
 #include <span>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
+#include "core/base/system/interrupt.h"
 
 namespace nacre::cli {
 

@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "app/designer/kept_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/json_text.h"
+#include "core/base/system/atomic_file.h"
 #include "core/design/design_file.h"
 #include "core/design/design_pictures.h"
-#include "core/design/error.h"
-#include "core/design/json_text.h"
 #include "core/design/picture_files.h"
-#include "core/exchange/atomic_file.h"
-#include "core/exchange/input_file.h"
 
 namespace nacre {
 namespace {

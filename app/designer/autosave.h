@@ -9,8 +9,8 @@
 #include <string>
 
 #include "app/designer/document.h"
-#include "app/designer/owned_folder.h"
-#include "core/bake/latest_job.h"
+#include "core/base/latest_job.h"
+#include "core/base/system/owned_folder.h"
 
 namespace nacre {
 

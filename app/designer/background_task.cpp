@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre {
 

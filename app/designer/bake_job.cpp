@@ -1,12 +1,10 @@
 #include "app/designer/bake_job.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <utility>
 
+#include "core/base/error.h"
+#include "core/base/system/thread_priority.h"
 #include "core/design/design_check.h"
-#include "core/design/error.h"
 
 namespace nacre {
 namespace {
@@ -15,7 +13,6 @@ using Job = LatestJob<BakeRequest, std::shared_ptr<const Tables>>;
 
 // Nice level of the worker: where cores are few, drawing goes first. Threads that the worker starts
 // inherit it.
-constexpr int worker_niceness = 10;
 
 bool same_draft(const BakeRequest& a, const BakeRequest& b) {
     return a.design == b.design && a.albedo == b.albedo;
@@ -24,7 +21,7 @@ bool same_draft(const BakeRequest& a, const BakeRequest& b) {
 // `drafted` is the request whose draft was published last: it needs no other.
 void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeRequest& request,
                 const std::stop_token& stop, const Job::Publish& publish, int threads) {
-    give_way();
+    set_niceness(worker_niceness);
     check_design(request.design, "design");
     for (const Quality quality : {Quality::draft, Quality::final}) {
         const bool same = drafted && same_draft(*drafted, request);
@@ -37,8 +34,6 @@ void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeReq
 }
 
 }  // namespace
-
-void give_way() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), worker_niceness); }
 
 BakeJob::BakeJob(int threads, std::function<void()> notify)
     : job_(

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/bake/baker.h"
-#include "core/bake/latest_job.h"
+#include "core/base/latest_job.h"
 #include "core/design/design.h"
 
 namespace nacre {
@@ -21,12 +21,6 @@ struct BakeRequest {
     bool settled = true;  // false while a hand still moves something: a draft will do
     bool operator==(const BakeRequest&) const = default;
 };
-
-// Lowers the calling worker's priority, and so that of the threads that it starts, under drawing.
-void give_way();
-
-// What a worker threw, for people to read.
-std::string plain_words(const std::exception_ptr& error);
 
 class BakeJob {
   public:

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/design/design_pictures.h"
-#include "core/design/error.h"
 #include "core/design/picture_files.h"
 #include "ui/dialogs.h"
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/preview/preview.h"
-#include "core/measure/opponent.h"
-#include "core/measure/picture_difference.h"
+#include "core/compare/opponent.h"
+#include "core/compare/picture_difference.h"
 #include "ui/compare_panel.h"
 
 namespace nacre {

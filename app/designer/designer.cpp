@@ -13,7 +13,7 @@
 #include "app/designer/status.h"
 #include "app/designer/take_back.h"
 #include "app/designer/work_files.h"
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "ui/abandon_frame.h"
 #include "ui/escape.h"
 #include "ui/item_map.h"

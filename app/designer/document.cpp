@@ -3,9 +3,9 @@
 #include <cctype>
 #include <utility>
 
+#include "core/base/input_file.h"
 #include "core/design/design_file.h"
 #include "core/design/picture_files.h"
-#include "core/exchange/input_file.h"
 
 namespace nacre {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/system/file_content.h"
 #include "core/design/history.h"
-#include "core/exchange/file_content.h"
 
 namespace nacre {
 

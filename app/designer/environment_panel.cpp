@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/design/error.h"
-#include "core/exchange/environment_file.h"
+#include "core/base/error.h"
+#include "core/formats/environment_file.h"
 #include "core/light/procedural.h"
 #include "ui/item_map.h"
 #include "ui/widgets.h"

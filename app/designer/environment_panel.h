@@ -8,8 +8,8 @@
 
 #include "app/designer/file_chooser.h"
 #include "app/preview/scene.h"
-#include "core/bake/latest_job.h"
-#include "core/exchange/file_content.h"
+#include "core/base/latest_job.h"
+#include "core/base/system/file_content.h"
 #include "core/light/environment.h"
 
 namespace nacre {

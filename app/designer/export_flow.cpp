@@ -1,25 +1,21 @@
 #include "app/designer/export_flow.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <exception>
 #include <system_error>
 #include <utility>
 
 #include "app/designer/folder.h"
-#include "core/design/error.h"
-#include "core/exchange/image_file.h"
-#include "core/exchange/output_guard.h"
+#include "core/base/error.h"
+#include "core/base/system/output_guard.h"
+#include "core/base/system/thread_priority.h"
 #include "core/formats/export_format.h"
+#include "core/image/image_file.h"
 
 namespace nacre {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int niceness = 10;  // of the work: drawing goes first
 
 struct PictureFormat {
     const char* title;
@@ -152,7 +148,7 @@ void ExportFlow::start_work(const Document& document, PreviewPane& preview, cons
     settings.bake.tolerance = dialog_.tolerance;
     task_.start(
         [=, design = document.design, output = output_](const std::stop_token& stop, const auto& progress) {
-            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
+            set_niceness(worker_niceness);
             const ExportWriter write = format->prepare(design, settings, stop, progress);
             if (stop.stop_requested()) return std::string();
             write(output);

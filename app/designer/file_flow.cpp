@@ -8,9 +8,9 @@
 #include "app/designer/change_question.h"
 #include "app/designer/folder.h"
 #include "app/designer/picture_notes.h"
+#include "core/base/error.h"
+#include "core/base/system/output_guard.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"
-#include "core/exchange/output_guard.h"
 
 namespace nacre {
 namespace {

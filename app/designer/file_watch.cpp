@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/designer/bake_job.h"
+#include "core/base/system/thread_priority.h"
 
 namespace nacre {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 using Job = LatestJob<HeldFiles, std::vector<FileChange>>;
 
 void look_at(const HeldFiles& files, const std::stop_token&, const Job::Publish& publish) {
-    give_way();
+    set_niceness(worker_niceness);
     std::vector<FileChange> changes;
     for (const auto& [file, before] : files)
         if (const auto now = content_of_file(file); now != before) changes.push_back({file, before, now});

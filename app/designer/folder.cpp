@@ -6,7 +6,8 @@
 #include <system_error>
 #include <tuple>
 
-#include "core/exchange/file_ending.h"
+#include "core/base/file_ending.h"
+#include "core/base/system/shared_library.h"
 
 namespace nacre {
 namespace {
@@ -78,8 +79,8 @@ fs::path existing_folder(fs::path folder) {
 }
 
 fs::path presets_folder() {
+    const fs::path program = program_folder();
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
     for (const char* candidate : {"../share/nacre/presets", "../../presets"})
         if (fs::is_directory(program / candidate, error)) return (program / candidate).lexically_normal();
     return {};

@@ -1,16 +1,14 @@
 #include "app/designer/kept_file.h"
 
-#include <sys/stat.h>
-
-#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 
-#include "core/design/error.h"
-#include "core/design/json_text.h"
-#include "core/exchange/atomic_file.h"
-#include "core/exchange/input_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/json_text.h"
+#include "core/base/system/atomic_file.h"
+#include "core/base/system/private_folder.h"
 
 namespace nacre {
 
@@ -59,15 +57,6 @@ void KeptFile::write(const std::string& text) {
     } catch (const std::exception&) {
         problem_ = problem_line();
     }
-}
-
-void make_private_folder(const fs::path& folder) {
-    std::error_code error;
-    if (fs::is_directory(folder, error)) return;
-    if (folder.has_parent_path() && folder.parent_path() != folder) make_private_folder(folder.parent_path());
-    if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
-        throw UserError(folder.string(), "write", "the folder cannot be made",
-                        std::generic_category().message(errno));
 }
 
 std::optional<std::string> json_path(const fs::path& path) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/design/json_reader.h"
+#include "core/base/json_reader.h"
 
 namespace nacre {
 
@@ -40,9 +40,6 @@ class KeptFile {
     std::string problem_;
     bool untouchable_ = false;
 };
-
-// Makes the folder, for its owner alone, and those above it. What fails is a UserError.
-void make_private_folder(const std::filesystem::path& folder);
 
 // As JSON; what is not UTF-8 cannot stand there and is no value.
 std::optional<std::string> json_path(const std::filesystem::path& path);

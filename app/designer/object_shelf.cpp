@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre {
 namespace {

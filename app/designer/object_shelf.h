@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/preview/object.h"
-#include "core/bake/latest_job.h"
-#include "core/exchange/file_content.h"
+#include "core/base/latest_job.h"
+#include "core/base/system/file_content.h"
 
 namespace nacre {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/designer/picture_notes.h"
-#include "core/design/error.h"
-#include "core/exchange/picture.h"
+#include "core/base/error.h"
+#include "core/image/picture.h"
 #include "core/paint/normal_map.h"
 #include "core/paint/painted_layer.h"
 #include "ui/canvas_paint.h"

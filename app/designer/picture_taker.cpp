@@ -4,10 +4,10 @@
 #include <system_error>
 #include <utility>
 
-#include "core/design/error.h"
-#include "core/exchange/atomic_file.h"
-#include "core/exchange/image_file.h"
-#include "core/exchange/output_folder.h"
+#include "core/base/error.h"
+#include "core/base/system/atomic_file.h"
+#include "core/base/system/output_folder.h"
+#include "core/image/image_file.h"
 
 namespace nacre {
 

@@ -4,9 +4,9 @@
 #include <system_error>
 #include <utility>
 
-#include "core/design/error.h"
-#include "core/exchange/output_guard.h"
-#include "core/exchange/plot_files.h"
+#include "core/base/error.h"
+#include "core/base/system/output_guard.h"
+#include "core/formats/plot_files.h"
 
 namespace nacre {
 

@@ -1,14 +1,12 @@
 #include "app/designer/recovery.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cstdint>
-#include <ctime>
 #include <exception>
 #include <utility>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
+#include "core/base/system/file_time.h"
 #include "ui/recovery_dialog.h"
 
 namespace nacre {
@@ -21,23 +19,15 @@ struct Found {
     std::int64_t changed = 0;  // nanoseconds since 1970
 };
 
-std::string local_time(std::time_t seconds) {
-    std::tm parts{};
-    localtime_r(&seconds, &parts);
-    char text[64];
-    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts)};
-}
-
 // Nothing where the folder holds no work; it is removed then.
 std::optional<Found> work_in(OwnedFolder folder) {
     const fs::path file = folder.file();
-    struct stat status {};
-    if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+    const auto written = time_written(file);
+    if (!written) {
         folder.erase();
         return {};
     }
-    Found found{{std::move(folder), {}, {}, local_time(status.st_mtim.tv_sec), {}},
-                status.st_mtim.tv_sec * std::int64_t{1'000'000'000} + status.st_mtim.tv_nsec};
+    Found found{{std::move(folder), {}, {}, local_time(*written), {}}, *written};
     try {
         const AutosaveHead head = read_autosave_head(file);
         found.work.name = head.name;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/designer/autosave.h"
-#include "app/designer/owned_folder.h"
+#include "core/base/system/owned_folder.h"
 
 namespace nacre {
 

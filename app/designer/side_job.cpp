@@ -1,6 +1,8 @@
 #include "app/designer/side_job.h"
 
 #include "app/designer/bake_job.h"
+#include "core/base/error.h"
+#include "core/base/system/thread_priority.h"
 #include "core/design/design_check.h"
 
 namespace nacre {
@@ -10,7 +12,7 @@ using Job = LatestJob<SideRequest, ComparedSurface>;
 
 void bake_side(Baker& baker, const SideRequest& request, const std::stop_token& stop,
                const Job::Publish& publish, int threads) {
-    give_way();
+    set_niceness(worker_niceness);
     check_design(request.design, "design");
     for (const Quality quality : {Quality::draft, Quality::final}) {
         if (quality == Quality::final && !request.settled) return;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "core/bake/latest_job.h"
-#include "core/measure/opponent.h"
+#include "core/base/latest_job.h"
+#include "core/compare/opponent.h"
 
 namespace nacre {
 

@@ -1,13 +1,6 @@
 #include "app/designer/system_dialog.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cctype>
-#include <cerrno>
-#include <csignal>
 #include <string_view>
 #include <utility>
 
@@ -17,17 +10,13 @@ namespace {
 namespace fs = std::filesystem;
 using Purpose = ui::FileDialog::Purpose;
 
-constexpr std::size_t answer_max = 1 << 16;  // bytes of a path
-
 fs::path program_in_path(const EnvironmentVariables& environment, const char* name) {
     const char* path = environment("PATH");
     for (std::string_view rest = path != nullptr ? path : ""; !rest.empty();) {
         const std::size_t end = std::min(rest.find(':'), rest.size());
         const fs::path file = fs::path(rest.substr(0, end)) / name;
         rest.remove_prefix(std::min(end + 1, rest.size()));
-        std::error_code error;
-        if (file.is_absolute() && fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0)
-            return file;
+        if (file.is_absolute() && is_executable(file)) return file;
     }
     return {};
 }
@@ -80,23 +69,6 @@ std::vector<std::string> kdialog_arguments(const FileQuestion& question) {
     return words;
 }
 
-class SpawnActions {
-  public:
-    explicit SpawnActions(int output) {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
-        posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    }
-    ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
-    SpawnActions(const SpawnActions&) = delete;
-    SpawnActions& operator=(const SpawnActions&) = delete;
-    const posix_spawn_file_actions_t* get() const { return &actions_; }
-
-  private:
-    posix_spawn_file_actions_t actions_{};
-};
-
 }  // namespace
 
 std::optional<DialogProgram> find_dialog_program(const EnvironmentVariables& environment) {
@@ -118,53 +90,20 @@ std::vector<std::string> dialog_arguments(const DialogProgram& program, const Fi
                                                        : kdialog_arguments(question);
 }
 
-SystemDialog::SystemDialog(const DialogProgram& program, const FileQuestion& question) {
-    int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) {
-        state_ = State::failed;
-        return;
-    }
-    output_ = ends[0];
-    ::fcntl(output_, F_SETFL, O_NONBLOCK);
-    const SpawnActions actions(ends[1]);
-    std::vector<std::string> words = dialog_arguments(program, question);
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    if (::posix_spawn(&child_, program.file.c_str(), actions.get(), nullptr, pointers.data(), environ) != 0) {
-        child_ = -1;
-        state_ = State::failed;
-    }
-    ::close(ends[1]);
-}
-
-SystemDialog::~SystemDialog() {
-    if (child_ > 0) {
-        ::kill(child_, SIGKILL);
-        ::waitpid(child_, nullptr, 0);
-    }
-    if (output_ >= 0) ::close(output_);
-}
+SystemDialog::SystemDialog(const DialogProgram& program, const FileQuestion& question)
+    : child_(program.file, dialog_arguments(program, question)) {}
 
 SystemDialog::State SystemDialog::poll() {
     if (state_ != State::open) return state_;
-    char bytes[4096];
-    ssize_t got = 0;
-    while ((got = ::read(output_, bytes, sizeof bytes)) > 0 && answer_.size() < answer_max)
-        answer_.append(bytes, static_cast<std::size_t>(got));
-    if (got < 0 && errno == EAGAIN) return state_;
-    int status = 0;
-    if (::waitpid(child_, &status, WNOHANG) != child_) return state_;
-    child_ = -1;
-    return state_ = finished(status);
+    if (auto ended = child_.poll()) state_ = finished(std::move(*ended));
+    return state_;
 }
 
-SystemDialog::State SystemDialog::finished(int status) {
-    if (!WIFEXITED(status)) return State::failed;
-    if (WEXITSTATUS(status) == 1) return State::cancelled;
-    if (answer_.ends_with('\n')) answer_.pop_back();
-    chosen_ = answer_;
-    return WEXITSTATUS(status) == 0 && chosen_.is_absolute() ? State::accepted : State::failed;
+SystemDialog::State SystemDialog::finished(ChildProcess::Ended ended) {
+    if (ended.code == 1) return State::cancelled;
+    if (ended.output.ends_with('\n')) ended.output.pop_back();
+    chosen_ = ended.output;
+    return ended.code == 0 && chosen_.is_absolute() ? State::accepted : State::failed;
 }
 
 }  // namespace nacre

@@ -2,14 +2,13 @@
 // and asked from frame to frame whether there is an answer.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/designer/user_folders.h"
+#include "core/base/system/child_process.h"
 #include "ui/dialogs.h"
 
 namespace nacre {
@@ -38,10 +37,7 @@ std::vector<std::string> dialog_arguments(const DialogProgram& program, const Fi
 
 class SystemDialog {
   public:
-    SystemDialog(const DialogProgram& program, const FileQuestion& question);
-    ~SystemDialog();  // an open dialog is closed
-    SystemDialog(const SystemDialog&) = delete;
-    SystemDialog& operator=(const SystemDialog&) = delete;
+    SystemDialog(const DialogProgram& program, const FileQuestion& question);  // its end closes the dialog
 
     enum class State { open, accepted, cancelled, failed };
     State poll();  // never waits
@@ -49,12 +45,10 @@ class SystemDialog {
     const std::filesystem::path& chosen() const { return chosen_; }
 
   private:
-    State finished(int status);
+    State finished(ChildProcess::Ended ended);
 
     State state_ = State::open;
-    pid_t child_ = -1;
-    int output_ = -1;  // our end of the pipe that its answer comes through
-    std::string answer_;
+    ChildProcess child_;
     std::filesystem::path chosen_;
 };
 

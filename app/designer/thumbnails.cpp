@@ -1,8 +1,5 @@
 #include "app/designer/thumbnails.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +7,7 @@
 
 #include "app/preview/render.h"
 #include "core/bake/bake.h"
+#include "core/base/system/thread_priority.h"
 #include "core/design/design_file.h"
 
 namespace nacre {
@@ -22,7 +20,7 @@ constexpr double zoom = 1.2;  // the sphere fills the picture
 
 Thumbnails::Thumbnails()
     : job_([](const std::filesystem::path& file, const std::stop_token& stop, const auto& publish) {
-          setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
+          set_niceness(niceness);
           publish(bake(load_design(file), {.quality = Quality::draft, .threads = 1}, stop));
       }) {}
 

@@ -11,7 +11,7 @@
 
 #include "app/designer/folder.h"
 #include "app/preview/preview.h"
-#include "core/bake/latest_job.h"
+#include "core/base/latest_job.h"
 
 namespace nacre {
 

@@ -16,7 +16,7 @@
 #include "app/desktop/pace.h"
 #include "app/desktop/start_report.h"
 #include "app/desktop/window.h"
-#include "core/exchange/standard_streams.h"
+#include "core/base/system/standard_streams.h"
 #include "ui/keys.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre {
 namespace {

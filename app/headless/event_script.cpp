@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/design/error.h"
-#include "core/exchange/input_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
 
 namespace nacre {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/gl/gl.h"
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/model/polar_angles.h"
 #include "ui/keys.h"
 

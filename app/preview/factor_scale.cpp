@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/srgb.h"
 #include "core/paint/colour_map.h"
 #include "core/paint/density_picture.h"
-#include "core/paint/srgb.h"
 
 namespace nacre {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/bake/tables.h"
-#include "core/bake/term.h"
+#include "core/shading/term.h"
 
 namespace nacre {
 

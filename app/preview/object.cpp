@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "core/exchange/file_ending.h"
-#include "core/exchange/obj_file.h"
+#include "core/base/file_ending.h"
+#include "core/formats/obj_file.h"
 
 namespace nacre {
 

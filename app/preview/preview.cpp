@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/preview/upload.h"
-#include "core/bake/stopwatch.h"
-#include "core/exchange/shader_variant.h"
+#include "core/base/stopwatch.h"
 #include "core/paint/colour_map.h"
+#include "core/shading/shader_variant.h"
 #include "shaders/shader_text.h"
 
 namespace nacre {

@@ -13,9 +13,9 @@
 #include "app/preview/scene.h"
 #include "app/preview/surface_image.h"
 #include "core/bake/tables.h"
+#include "core/compare/closed_form.h"
 #include "core/design/design.h"
-#include "core/exchange/shader_variant.h"
-#include "core/measure/closed_form.h"
+#include "core/shading/shader_variant.h"
 
 namespace nacre {
 

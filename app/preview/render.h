@@ -7,9 +7,9 @@
 
 #include "app/preview/preview.h"
 #include "app/preview/scene.h"
+#include "core/compare/opponent.h"
+#include "core/compare/picture_difference.h"
 #include "core/design/design.h"
-#include "core/measure/opponent.h"
-#include "core/measure/picture_difference.h"
 
 namespace nacre {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/preview/object.h"
-#include "core/bake/term.h"
 #include "core/light/environment.h"
+#include "core/shading/term.h"
 
 namespace nacre {
 

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "core/bake/coupling.h"
-#include "core/bake/stopwatch.h"
 #include "core/bake/table_fits.h"
+#include "core/base/stopwatch.h"
 #include "core/model/merged_facets.h"
 #include "core/model/picture_lobe.h"
-#include "core/model/surface.h"
+#include "core/shading/surface.h"
 
 namespace nacre {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "core/bake/tables.h"
-#include "core/bake/term.h"
 #include "core/model/visible_sampler.h"
+#include "core/shading/term.h"
 
 namespace nacre {
 

@@ -7,6 +7,7 @@
 
 #include "core/bake/symmetry.h"
 #include "core/bake/table_size.h"
+#include "core/design/design.h"
 #include "core/model/shading.h"
 
 namespace nacre {

@@ -1,7 +1,7 @@
 // Mirror planes and roundness of p, found from the layers' parameters (Ashikhmin 2000, sec. 5.2).
 #pragma once
 
-#include "core/design/design.h"
+#include "core/model/layer.h"
 
 namespace nacre {
 

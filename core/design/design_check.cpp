@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre {
 namespace {

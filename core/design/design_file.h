@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/system/file_content.h"
 #include "core/design/design.h"
-#include "core/exchange/file_content.h"
 
 namespace nacre {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 
 namespace nacre {
 namespace {

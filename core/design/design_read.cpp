@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/json_reader.h"
+#include "core/base/json_text.h"
 #include "core/design/design_check.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"
-#include "core/design/json_reader.h"
-#include "core/design/json_text.h"
 #include "core/design/kind_read.h"
 #include "core/design/layer_read.h"
-#include "core/exchange/input_file.h"
 
 namespace nacre {
 namespace {

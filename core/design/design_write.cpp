@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/system/atomic_file.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"
-#include "core/exchange/atomic_file.h"
-#include "core/exchange/input_file.h"
 
 namespace nacre {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/exchange/picture.h"
-#include "core/model/limits.h"
+#include "core/base/limits.h"
+#include "core/image/picture.h"
 
 namespace nacre {
 namespace {

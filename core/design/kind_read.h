@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "core/design/json_reader.h"
+#include "core/base/json_reader.h"
 #include "core/model/kinds/kind.h"
 
 namespace nacre {

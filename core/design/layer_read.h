@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "core/base/json_reader.h"
 #include "core/design/design.h"
-#include "core/design/json_reader.h"
 
 namespace nacre {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/exchange/atomic_file.h"
+#include "core/base/system/atomic_file.h"
 
 namespace nacre {
 namespace {

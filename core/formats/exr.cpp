@@ -1,8 +1,8 @@
 // Tables as EXR pictures with a manifest.
-#include "core/exchange/table_files.h"
 #include "core/formats/export_format.h"
-#include "core/measure/reference.h"
-#include "core/measure/table_error.h"
+#include "core/formats/table_files.h"
+#include "core/verify/reference.h"
+#include "core/verify/table_error.h"
 
 namespace nacre {
 namespace {

@@ -1,6 +1,6 @@
 // A GLSL function with the tables as constants.
-#include "core/exchange/glsl_export.h"
 #include "core/formats/export_format.h"
+#include "core/formats/glsl_export.h"
 
 namespace nacre {
 namespace {

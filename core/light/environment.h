@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/image/lat_long.h"
 #include "core/light/direction_order.h"
-#include "core/light/lat_long.h"
 
 namespace nacre {
 

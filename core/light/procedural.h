@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/light/lat_long.h"
+#include "core/image/lat_long.h"
 
 namespace nacre {
 

@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/image/raster.h"
 #include "core/model/disk.h"
-#include "core/model/raster.h"
 
 namespace nacre {
 

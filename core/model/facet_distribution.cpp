@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/model/visible_sampler.h"
 
 namespace nacre {

@@ -1,6 +1,6 @@
 #include "core/model/live_distribution.h"
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/model/picture_lobe.h"
 
 namespace nacre {

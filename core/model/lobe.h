@@ -1,7 +1,7 @@
 // The model of a layer's lobe.
 #pragma once
 
-#include "core/design/design.h"
+#include "core/model/layer.h"
 #include "core/model/lobe_model.h"
 
 namespace nacre {

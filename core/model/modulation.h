@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/model/raster.h"
+#include "core/image/raster.h"
 
 namespace nacre {
 

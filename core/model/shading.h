@@ -7,9 +7,9 @@
 #include <glm/glm.hpp>
 #include <limits>
 
+#include "core/base/limits.h"
 #include "core/model/diffuse_models.h"
 #include "core/model/fresnel_models.h"
-#include "core/model/limits.h"
 #include "core/model/lobes.h"
 #include "core/model/masking_models.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/model/facet_distribution.h"
 #include "core/model/picture_lobe.h"
 #include "core/model/span_facet.h"

@@ -1,7 +1,7 @@
 // Brings the mean normal of p to n by changing how many facets there are of each normal.
 #pragma once
 
-#include "core/design/design.h"
+#include "core/model/layer.h"
 
 namespace nacre {
 

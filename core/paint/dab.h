@@ -1,7 +1,7 @@
 // One touch of the brush on a painted layer's raster, in the layer's own frame.
 #pragma once
 
-#include "core/design/design.h"
+#include "core/image/raster.h"
 #include "core/paint/brush.h"
 #include "core/paint/coverage.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/design/design.h"
+#include "core/image/raster.h"
 #include "core/model/lobe.h"
 
 namespace nacre {

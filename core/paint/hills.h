@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/design/design.h"
+#include "core/image/raster.h"
 
 namespace nacre {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/design/design.h"
+#include "core/model/layer.h"
 #include "core/model/lobe.h"
 
 namespace nacre {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/design/design.h"
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
+#include "core/image/raster.h"
 #include "core/model/lobe.h"
 
 namespace nacre {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/paint/normal_map.h"
 #include "core/paint/raster_texels.h"
 

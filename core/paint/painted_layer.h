@@ -1,8 +1,8 @@
 // The layer that a brush works on.
 #pragma once
 
-#include "core/design/design.h"
 #include "core/model/disk_texels.h"
+#include "core/model/layer.h"
 #include "core/model/lobe.h"
 
 namespace nacre {

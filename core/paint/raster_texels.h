@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/design/design.h"
+#include "core/image/raster.h"
 #include "core/model/disk_texels.h"
 
 namespace nacre {

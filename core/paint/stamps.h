@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/design/design.h"
+#include "core/image/raster.h"
 
 namespace nacre {
 

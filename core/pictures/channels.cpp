@@ -8,7 +8,7 @@
 #include <map>
 #include <string_view>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/pictures/picture_problem.h"
 
 namespace nacre {

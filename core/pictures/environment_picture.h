@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 
 namespace nacre {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/exchange/file_ending.h"
+#include "core/base/file_ending.h"
 #include "core/pictures/byte_order.h"
 #include "core/pictures/picture_problem.h"
 

@@ -8,7 +8,7 @@
 #include <bit>
 #include <string>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/pictures/byte_order.h"
 #include "core/pictures/examined.h"
 #include "core/pictures/picture_problem.h"

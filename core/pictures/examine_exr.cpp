@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/pictures/examined.h"
 #include "core/pictures/exr_blocks.h"
 #include "core/pictures/picture_problem.h"

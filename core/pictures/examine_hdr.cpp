@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cstdio>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/pictures/examined.h"
 #include "core/pictures/picture_problem.h"
 #include "core/pictures/primaries.h"

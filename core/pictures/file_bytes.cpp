@@ -1,16 +1,11 @@
 #include "core/pictures/file_bytes.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <utility>
 
-#include "core/exchange/input_file.h"
+#include "core/base/input_file.h"
 #include "core/pictures/picture_problem.h"
 
 namespace nacre {
@@ -20,35 +15,21 @@ constexpr std::size_t window_size = 1u << 16;
 FileBytes::FileBytes(const std::filesystem::path& file, std::uintmax_t most) : path_(file) {
     if (const std::string problem = input_file_problem(file, most); !problem.empty())
         throw PictureProblem(problem);
-    descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0) throw PictureProblem(std::generic_category().message(errno));
-    struct stat status {};
-    fstat(descriptor_, &status);
-    size_ = static_cast<std::uint64_t>(status.st_size);
-}
-
-FileBytes::~FileBytes() { close(descriptor_); }
-
-std::size_t FileBytes::read_directly(std::uint64_t offset, void* to, std::size_t length) const {
-    std::size_t done = 0;
-    while (done < length) {
-        const ssize_t count = pread(descriptor_, static_cast<char*>(to) + done, length - done,
-                                    static_cast<off_t>(offset + done));
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) break;
-        done += static_cast<std::size_t>(count);
+    try {
+        file_.emplace(file);
+    } catch (const std::system_error& error) {
+        throw PictureProblem(error.code().message());
     }
-    return done;
 }
 
 std::size_t FileBytes::read(std::uint64_t offset, void* to, std::size_t length) const {
-    if (offset >= size_) return 0;
-    length = static_cast<std::size_t>(std::min<std::uint64_t>(length, size_ - offset));
-    if (length >= window_size) return read_directly(offset, to, length);
+    if (offset >= size()) return 0;
+    length = static_cast<std::size_t>(std::min<std::uint64_t>(length, size() - offset));
+    if (length >= window_size) return file_->read(offset, to, length);
     const std::lock_guard lock(mutex_);
     if (offset < window_start_ || offset + length > window_start_ + window_.size()) {
         window_.resize(window_size);
-        window_.resize(read_directly(offset, window_.data(), window_size));
+        window_.resize(file_->read(offset, window_.data(), window_size));
         window_start_ = offset;
     }
     const std::size_t have =
@@ -58,7 +39,7 @@ std::size_t FileBytes::read(std::uint64_t offset, void* to, std::size_t length) 
 }
 
 std::string FileBytes::read(std::uint64_t offset, std::uint64_t length) const {
-    length = offset < size_ ? std::min(length, size_ - offset) : 0;
+    length = offset < size() ? std::min(length, size() - offset) : 0;
     std::string bytes(static_cast<std::size_t>(length), '\0');
     bytes.resize(read(offset, bytes.data(), bytes.size()));
     return bytes;

@@ -6,33 +6,30 @@
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/system/open_file.h"
+
 namespace nacre {
 
-// A file held open, so that what is decoded is what was looked at. Safe in several threads.
+// An open file, read a window at a time. Safe in several threads.
 class FileBytes {
   public:
     // A PictureProblem where the file cannot be read or has more bytes than `most`.
     FileBytes(const std::filesystem::path& file, std::uintmax_t most);
-    ~FileBytes();
-    FileBytes(const FileBytes&) = delete;
-    FileBytes& operator=(const FileBytes&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    std::uint64_t size() const { return size_; }
-    int descriptor() const { return descriptor_; }
+    std::filesystem::path held_path() const { return file_->path(); }  // for a decoder that opens it itself
+    std::uint64_t size() const { return file_->size(); }
     // As many of the bytes as can be read: decoders in C call this, so it throws nothing.
     std::size_t read(std::uint64_t offset, void* to, std::size_t length) const;
     std::string read(std::uint64_t offset, std::uint64_t length) const;
 
   private:
-    std::size_t read_directly(std::uint64_t offset, void* to, std::size_t length) const;
-
     std::filesystem::path path_;
-    int descriptor_ = -1;
-    std::uint64_t size_ = 0;
+    std::optional<OpenFile> file_;
     // Decoders read a few bytes at a time: those around the last ones.
     mutable std::mutex mutex_;
     mutable std::string window_;

@@ -1,4 +1,4 @@
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/system/quiet.h"
 #include "core/pictures/decoders.h"
 #include "core/pictures/picture_problem.h"
-#include "core/pictures/quiet.h"
 
 namespace nacre {
 namespace {
@@ -46,7 +46,7 @@ class OiioDecoder : public Decoder {
         if (input_->supports("ioproxy"))
             input_->set_ioproxy(proxy_.get());
         else
-            name = fmt::format("/proc/self/fd/{}", file_.bytes->descriptor());
+            name = file_.bytes->held_path().string();
         if (!input_->open(name, spec_, as_stored)) throw PictureProblem(reason_of(*input_));
         read_header();
     }

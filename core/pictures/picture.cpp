@@ -1,4 +1,4 @@
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 
 #include <fmt/core.h>
 
@@ -7,10 +7,11 @@
 #include <optional>
 #include <utility>
 
-#include "core/design/error.h"
-#include "core/exchange/area_average.h"
-#include "core/exchange/letterbox.h"
-#include "core/model/luminance.h"
+#include "core/base/error.h"
+#include "core/base/limits.h"
+#include "core/image/area_average.h"
+#include "core/image/letterbox.h"
+#include "core/image/luminance.h"
 #include "core/pictures/decoder.h"
 #include "core/pictures/environment_picture.h"
 #include "core/pictures/light_of.h"

@@ -1,6 +1,6 @@
-#include "core/pictures/picture_module.h"
+#include "core/image/picture_module.h"
 
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 
 [[gnu::visibility("default")]] const nacre::PictureModule* nacre_picture_module() {
     static constexpr nacre::PictureModule module{.version = NACRE_VERSION,

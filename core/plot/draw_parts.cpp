@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/luminance.h"
+#include "core/image/luminance.h"
 #include "core/paint/colour_map.h"
 #include "core/plot/colour_series.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/luminance.h"
+#include "core/image/luminance.h"
 #include "core/plot/draw_parts.h"
 
 namespace nacre {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/model/luminance.h"
+#include "core/image/luminance.h"
 #include "core/model/polar_angles.h"
 #include "core/paint/hemisphere_view.h"
 #include "core/plot/draw_parts.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/bake/brdf.h"
-#include "core/model/luminance.h"
+#include "core/image/luminance.h"
 #include "core/model/polar_angles.h"
 #include "core/plot/colour_series.h"
 #include "core/plot/curve_sampler.h"

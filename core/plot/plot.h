@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/bake/tables.h"
-#include "core/bake/term.h"
 #include "core/plot/axis.h"
+#include "core/shading/term.h"
 
 namespace nacre {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/model/luminance.h"
+#include "core/image/luminance.h"
 #include "core/model/polar_angles.h"
 #include "core/plot/colour_series.h"
 #include "core/plot/curve_sampler.h"

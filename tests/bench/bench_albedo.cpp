@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/measure/reference.h"
+#include "core/verify/reference.h"
 #include "tests/bench/bench_designs.h"
 #include "tests/bench/monte_carlo.h"
 #include "tests/bench/subjects.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/measure/table_error.h"
+#include "core/verify/table_error.h"
 #include "tests/bench/bench_designs.h"
 #include "tests/bench/monte_carlo.h"
 #include "tests/bench/paper_grid.h"

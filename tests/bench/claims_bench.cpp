@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "core/bake/bake.h"
+#include "core/base/error.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"
-#include "core/measure/extremes.h"
-#include "core/measure/table_error.h"
+#include "core/study/extremes.h"
+#include "core/verify/table_error.h"
 #include "tests/core/held_out.h"
 
 using namespace nacre;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/measure/plain_grid.h"
 #include "core/model/facet_distribution.h"
+#include "core/study/plain_grid.h"
 
 namespace nacre::bench {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/exchange/image_file.h"
-#include "core/exchange/picture.h"
+#include "core/image/image_file.h"
+#include "core/image/picture.h"
 #include "tests/cli/child_process.h"
 #include "tests/cli/design_on_disk.h"
 #include "tests/cli/stopping.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 #include "tests/cli/child_process.h"
 #include "tests/cli/design_on_disk.h"
 

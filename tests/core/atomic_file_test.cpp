@@ -1,4 +1,4 @@
-#include "core/exchange/atomic_file.h"
+#include "core/base/system/atomic_file.h"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/core/file_size_limit.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"

@@ -8,8 +8,8 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
-#include "core/design/error.h"
-#include "core/measure/reference.h"
+#include "core/base/error.h"
+#include "core/verify/reference.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/painted_layer.h"
 #include "core/paint/raster_texels.h"

@@ -1,7 +1,7 @@
 // Windows bitmaps: runs of palette colours, and headers whose numbers do not fit each other.
 #include <doctest/doctest.h>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"
 

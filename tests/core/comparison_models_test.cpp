@@ -7,8 +7,8 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
-#include "core/measure/closed_form.h"
-#include "core/measure/facet_slopes.h"
+#include "core/compare/closed_form.h"
+#include "core/compare/facet_slopes.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 

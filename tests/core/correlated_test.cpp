@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/bake/bake.h"
-#include "core/measure/reference.h"
 #include "core/model/quadrature.h"
+#include "core/verify/reference.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 #include "tests/core/random_design.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"

@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "core/bake/bake.h"
-#include "core/measure/facet_integral.h"
-#include "core/measure/reference.h"
 #include "core/model/disk_texels.h"
 #include "core/model/facet_distribution.h"
 #include "core/model/quadrature.h"
+#include "core/verify/facet_integral.h"
+#include "core/verify/reference.h"
 #include "tests/core/big_design.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "core/exchange/environment_file.h"
-#include "core/exchange/picture.h"
+#include "core/formats/environment_file.h"
+#include "core/image/picture.h"
 #include "tests/core/picture_files.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"

@@ -7,7 +7,7 @@
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
 #include "core/model/float_shading.h"
-#include "core/model/surface.h"
+#include "core/shading/surface.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/bake/bake.h"
-#include "core/measure/extreme_check.h"
+#include "core/study/extreme_check.h"
 #include "tests/core/copied_tables.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"

@@ -1,4 +1,4 @@
-#include "core/exchange/file_content.h"
+#include "core/base/system/file_content.h"
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>

@@ -6,7 +6,7 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
-#include "core/measure/reference.h"
+#include "core/verify/reference.h"
 #include "tests/core/designs.h"
 #include "tests/core/property.h"
 #include "tests/core/random_design.h"

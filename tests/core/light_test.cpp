@@ -8,9 +8,9 @@
 #include <numbers>
 #include <set>
 
-#include "core/exchange/environment_file.h"
-#include "core/exchange/image_file.h"
-#include "core/exchange/picture.h"
+#include "core/formats/environment_file.h"
+#include "core/image/image_file.h"
+#include "core/image/picture.h"
 #include "core/light/environment.h"
 #include "core/light/facet_order.h"
 #include "core/light/hilbert.h"

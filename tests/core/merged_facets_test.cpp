@@ -5,9 +5,9 @@
 #include <ctime>
 
 #include "core/bake/bake.h"
-#include "core/measure/close_albedo.h"
-#include "core/measure/physics_check.h"
 #include "core/model/merged_facets.h"
+#include "core/verify/close_albedo.h"
+#include "core/verify/physics_check.h"
 #include "tests/core/big_design.h"
 #include "tests/core/random_directions.h"
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <string>
 
-#include "core/design/error.h"
-#include "core/exchange/image_file.h"
+#include "core/base/error.h"
+#include "core/image/image_file.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/raster_texels.h"
 #include "tests/core/designs.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/exchange/obj_file.h"
+#include "core/formats/obj_file.h"
 #include "tests/core/user_error_of.h"
 
 namespace nacre::test {

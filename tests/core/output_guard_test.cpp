@@ -1,4 +1,4 @@
-#include "core/exchange/output_guard.h"
+#include "core/base/system/output_guard.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 #include "tests/core/picture_files.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"

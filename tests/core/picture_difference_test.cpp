@@ -1,11 +1,11 @@
 // Two pictures of four pixels, by hand.
-#include "core/measure/picture_difference.h"
+#include "core/compare/picture_difference.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "core/paint/srgb.h"
+#include "core/image/srgb.h"
 
 using namespace nacre;
 

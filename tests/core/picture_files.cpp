@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-#include "core/exchange/file_ending.h"
+#include "core/base/file_ending.h"
 
 namespace nacre::test {
 namespace {

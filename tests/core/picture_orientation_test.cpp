@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 #include "tests/core/picture_files.h"
 #include "tests/core/temporary_folder.h"
 

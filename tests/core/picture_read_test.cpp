@@ -3,8 +3,8 @@
 
 #include "core/design/design_file.h"
 #include "core/design/design_pictures.h"
-#include "core/exchange/image_file.h"
-#include "core/exchange/picture.h"
+#include "core/image/image_file.h"
+#include "core/image/picture.h"
 #include "tests/core/temporary_folder.h"
 
 using namespace nacre;

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/exchange/picture.h"
+#include "core/base/limits.h"
+#include "core/image/picture.h"
 #include "tests/core/picture_files.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"

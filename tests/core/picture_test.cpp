@@ -1,5 +1,6 @@
 // What a picture's numbers mean once it is read.
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
+#include "core/base/limits.h"
 
 #include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/exchange/area_average.h"
+#include "core/image/area_average.h"
 #include "tests/core/picture_files.h"
 #include "tests/core/temporary_folder.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/exchange/plot_files.h"
+#include "core/formats/plot_files.h"
 #include "tests/core/plots.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/bake/brdf.h"
-#include "core/exchange/plot_files.h"
-#include "core/model/luminance.h"
+#include "core/formats/plot_files.h"
+#include "core/image/luminance.h"
 #include "core/model/polar_angles.h"
 #include "core/plot/curve_sampler.h"
 #include "tests/core/plots.h"

@@ -6,7 +6,7 @@
 #include <functional>
 #include <iostream>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/model/facet_distribution.h"
 #include "tests/core/random_design.h"
 

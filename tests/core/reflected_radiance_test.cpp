@@ -7,8 +7,8 @@
 
 #include "core/bake/bake.h"
 #include "core/light/procedural.h"
-#include "core/measure/reference.h"
-#include "core/measure/reflected_radiance.h"
+#include "core/verify/reference.h"
+#include "core/verify/reflected_radiance.h"
 #include "tests/core/designs.h"
 
 using namespace nacre;

@@ -7,12 +7,12 @@
 #include <thread>
 
 #include "core/bake/bake.h"
-#include "core/exchange/accuracy_chart.h"
-#include "core/exchange/accuracy_text.h"
-#include "core/exchange/csv_field.h"
-#include "core/exchange/plot_files.h"
-#include "core/exchange/xml_text.h"
-#include "core/measure/accuracy.h"
+#include "core/base/csv_field.h"
+#include "core/base/xml_text.h"
+#include "core/formats/plot_files.h"
+#include "core/study/accuracy.h"
+#include "core/study/accuracy_chart.h"
+#include "core/study/accuracy_text.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 #include "tests/core/well_formed.h"

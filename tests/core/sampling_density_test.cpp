@@ -3,7 +3,7 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
-#include "core/measure/sampling_density.h"
+#include "core/verify/sampling_density.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/bake/bake.h"
-#include "core/measure/albedo_check.h"
-#include "core/measure/extreme_check.h"
-#include "core/measure/sampling_check.h"
+#include "core/study/extreme_check.h"
+#include "core/verify/albedo_check.h"
+#include "core/verify/sampling_check.h"
 #include "tests/core/copied_tables.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre::test {
 

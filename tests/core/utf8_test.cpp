@@ -1,5 +1,5 @@
 // Names of files that may be no UTF-8.
-#include "core/design/utf8.h"
+#include "core/base/utf8.h"
 
 #include <doctest/doctest.h>
 

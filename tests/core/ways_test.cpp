@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "core/bake/bake.h"
-#include "core/measure/facet_integral.h"
-#include "core/measure/harmonic_area.h"
-#include "core/measure/plain_grid.h"
-#include "core/measure/reference.h"
-#include "core/measure/table_error.h"
-#include "core/measure/way.h"
+#include "core/study/harmonic_area.h"
+#include "core/study/plain_grid.h"
+#include "core/study/way.h"
+#include "core/verify/facet_integral.h"
+#include "core/verify/reference.h"
+#include "core/verify/table_error.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 

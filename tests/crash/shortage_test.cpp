@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/core/temporary_folder.h"
 
 using namespace nacre;

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "app/designer/recovery.h"
-#include "core/design/error.h"
-#include "core/exchange/input_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "tests/designer/kept_work.h"
 
 using namespace nacre;

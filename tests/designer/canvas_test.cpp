@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <string>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 #include "core/paint/brush.h"
 #include "core/paint/raster_texels.h"
 #include "tests/designer/rig.h"

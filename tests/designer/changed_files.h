@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/design/design_file.h"
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 

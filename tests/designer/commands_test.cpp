@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/design/design_file.h"
-#include "core/exchange/picture.h"
 #include "core/formats/export_format.h"
+#include "core/image/picture.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 #include "ui/shortcut_sheet.h"

@@ -12,8 +12,8 @@
 #include "app/designer/preview_mouse.h"
 #include "app/headless/offscreen_context.h"
 #include "app/preview/preview.h"
+#include "core/base/error.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/designer/folder_rig.h"
 
 using namespace nacre;

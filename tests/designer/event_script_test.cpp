@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 using namespace nacre;
 

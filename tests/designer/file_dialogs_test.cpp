@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/design/design_file.h"
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/designer/dialog_stand_in.h"
 
 using namespace nacre;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/design/design_file.h"
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
 

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/core/random_directions.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/random_painter.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/painted_layer.h"
 #include "tests/designer/folder_rig.h"

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/designer/folder_rig.h"
 
 using namespace nacre;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/headless/stage.h"
+#include "core/base/input_file.h"
 #include "core/design/design_file.h"
-#include "core/exchange/input_file.h"
 
 namespace {
 

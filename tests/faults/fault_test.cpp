@@ -9,10 +9,10 @@
 #include <map>
 
 #include "app/designer/autosave.h"
+#include "core/base/error.h"
 #include "core/design/design_file.h"
-#include "core/design/error.h"
-#include "core/exchange/image_file.h"
 #include "core/formats/export_format.h"
+#include "core/image/image_file.h"
 #include "tests/cli/child_process.h"
 #include "tests/core/temporary_folder.h"
 

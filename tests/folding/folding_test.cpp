@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/exchange/output_guard.h"
+#include "core/base/system/output_guard.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/user_error_of.h"
 

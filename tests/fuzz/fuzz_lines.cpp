@@ -22,7 +22,7 @@ void bring(const std::uint8_t* data, std::size_t size) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const cli::Interrupt interrupt;
+    static const Interrupt interrupt("stopped\n");
     if (size == 0) return -1;
     bring(data + 1, size - 1);
     fuzz::reads([&] {

@@ -1,7 +1,7 @@
 // An OBJ file: what is read is a mesh that can be drawn.
 #include <cmath>
 
-#include "core/exchange/obj_file.h"
+#include "core/formats/obj_file.h"
 #include "tests/fuzz/target.h"
 
 using namespace nacre;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/exchange/picture.h"
+#include "core/image/picture.h"
 #include "core/pictures/examined.h"
 #include "core/pictures/picture_problem.h"
 #include "tests/fuzz/target.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre::fuzz {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/measure/reflected_radiance.h"
+#include "core/verify/reflected_radiance.h"
 
 namespace nacre::test {
 

@@ -9,7 +9,7 @@
 #include "app/headless/offscreen_context.h"
 #include "app/preview/preview.h"
 #include "core/bake/bake.h"
-#include "core/exchange/obj_file.h"
+#include "core/formats/obj_file.h"
 #include "tests/core/designs.h"
 
 using namespace nacre;

@@ -11,7 +11,7 @@
 #include "app/headless/offscreen_context.h"
 #include "app/preview/render.h"
 #include "core/design/design_file.h"
-#include "core/exchange/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/gl/read_png.h"
 
 using namespace nacre;

@@ -10,10 +10,10 @@
 #include <map>
 
 #include "core/bake/bake.h"
+#include "core/compare/closed_form.h"
 #include "core/design/design_file.h"
-#include "core/exchange/glsl_export.h"
-#include "core/exchange/shader_variant.h"
-#include "core/measure/closed_form.h"
+#include "core/formats/glsl_export.h"
+#include "core/shading/shader_variant.h"
 #include "shaders/shader_text.h"
 
 using namespace nacre;

@@ -4,11 +4,11 @@ set -u
 cd "$1" || exit 1
 wrong=0
 
-# forbid ROOM WHY PATTERN: no line of the room's C++ may match, comments aside.
+# forbid ROOM WHY PATTERN [FOLDER]: no line of the room's C++ may match, comments and the folder of that name aside.
 forbid() {
     room=$1 why=$2 pattern=$3
     [ -d "$room" ] || return 0
-    found=$(grep -rnE --include='*.h' --include='*.cpp' "$pattern" "$room" | grep -vE '^[^:]+:[0-9]+: *//')
+    found=$(grep -rnE --exclude-dir="${4:-}" --include='*.h' --include='*.cpp' "$pattern" "$room" | grep -vE '^[^:]+:[0-9]+: *//')
     if [ -n "$found" ]; then
         printf '%s: %s\n%s\n' "$room" "$why" "$found"
         wrong=1
@@ -20,6 +20,7 @@ imgui='# *include *[<"]imgui|\bImGui::'
 glfw='# *include *[<"]GLFW|\bglfw[A-Z]'
 files='# *include *[<"](fstream|cstdio|iostream|unistd\.h|fcntl\.h)|\b(std::)?(ifstream|ofstream|fstream|fopen|freopen)\b|filesystem::(exists|remove|rename|directory_iterator|create_directories|status|is_directory|current_path)|\bfs::(exists|remove|rename|directory_iterator|create_directories|status|is_directory|current_path)'
 pictures='# *include *[<"]OpenImageIO/'
+system='# *include *<(unistd|fcntl|poll|spawn|dlfcn|pthread|sched|time|csignal|signal|termios|sys/[a-z]+)(\.h)?>|\b(environ|localtime_r|setpriority|getrusage)\b|/proc/'
 glsl='void main *\( *\)|gl_Frag(Color|Coord)|gl_Position|texelFetch|layout *\( *location'
 
 forbid core 'knows no OpenGL' "$opengl"
@@ -38,8 +39,9 @@ forbid app/headless 'knows no window' "$glfw"
 forbid app/cli 'knows no window' "$glfw"
 forbid core 'holds no shader text: it stands in shaders/' "$glsl"
 forbid ui 'holds no shader text: it stands in shaders/' "$glsl"
-for room in core/bake core/design core/exchange core/measure core/model core/paint ui app; do
-    forbid $room 'reads and writes pictures through core/pictures alone' "$pictures"
+for room in core ui app; do
+    forbid $room 'reads and writes pictures through core/pictures alone' "$pictures" pictures
+    forbid $room 'calls the operating system through core/base/system alone' "$system" system
 done
 forbid app 'holds no shader text: it stands in shaders/' "$glsl"
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/exchange/environment_file.h"
-#include "core/exchange/picture.h"
+#include "core/formats/environment_file.h"
+#include "core/image/picture.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "ui/material_panel.h"
 
 #include "core/design/design.h"
-#include "core/model/surface.h"
+#include "core/shading/surface.h"
 #include "tests/ui/panel_rig.h"
 
 using namespace nacre;

@@ -1,4 +1,4 @@
-#include "core/bake/latest_job.h"
+#include "core/base/latest_job.h"
 
 #include <doctest/doctest.h>
 

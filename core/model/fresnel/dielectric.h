@@ -5,9 +5,9 @@
 #include <glm/vec3.hpp>
 #include <tuple>
 
+#include "core/base/limits.h"
 #include "core/model/fresnel/shader_fresnel.h"
 #include "core/model/kinds/parameter.h"
-#include "core/model/limits.h"
 
 namespace nacre {
 

@@ -10,14 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/raster.h"
+#include "core/base/range.h"
+#include "core/image/raster.h"
 
 namespace nacre {
-
-struct Range {
-    double low;
-    double high;
-};
 
 // Key in the file, label and tooltip in the window.
 struct ParameterText {

@@ -7,10 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include "core/image/raster.h"
 #include "core/model/kinds/kind.h"
 #include "core/model/lobes/shader_lobe.h"
 #include "core/model/lobes/widths.h"
-#include "core/model/raster.h"
 
 namespace nacre {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
+#include "core/base/limits.h"
 #include "core/model/kinds/parameter.h"
-#include "core/model/limits.h"
 
 namespace nacre {
 

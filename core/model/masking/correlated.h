@@ -2,8 +2,8 @@
 
 #include <tuple>
 
+#include "core/base/limits.h"
 #include "core/model/kinds/parameter.h"
-#include "core/model/limits.h"
 #include "core/model/masking/masking_bends.h"
 
 namespace nacre {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "app/headless/stage.h"
-#include "core/design/error.h"
+#include "core/base/error.h"
 
 namespace nacre::test {
 namespace {

@@ -1,0 +1,33 @@
+// Files that are read: only regular files of a bounded size, so that no device or pipe can hang a
+// program and no file can exhaust its memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/limits.h"
+
+namespace nacre {
+
+// Why `file` cannot be read, or an empty text.
+std::string input_file_problem(const std::filesystem::path& file,
+                               std::uintmax_t bytes_max = limits::file_bytes_max);
+
+// The whole file. What is wrong is a UserError about `file`, at `open` or `read`.
+std::string read_text_file(const std::filesystem::path& file,
+                           std::uintmax_t bytes_max = limits::file_bytes_max);
+
+// The text without the mark of UTF-8 that some editors put before it.
+std::string_view without_byte_order_mark(std::string_view text);
+
+// Without its end; the same errors. A file with no line's end is its first line.
+std::string read_first_line(const std::filesystem::path& file,
+                            std::uintmax_t bytes_max = limits::file_bytes_max);
+
+// The folder with symbolic links resolved, the current one when empty: `..` in a path relative to it
+// then means what it means to the system.
+std::filesystem::path absolute_folder(const std::filesystem::path& folder);
+
+}  // namespace nacre

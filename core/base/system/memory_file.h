@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace nacre {
+
+// A file that lies in memory and goes with the object, for what reads nothing but files. A UserError of
+// `name` where the memory does not suffice.
+class MemoryFile {
+  public:
+    MemoryFile(const char* name, std::string_view bytes);
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    ~MemoryFile();
+
+    std::filesystem::path path() const;
+
+  private:
+    int descriptor_ = -1;
+};
+
+}  // namespace nacre

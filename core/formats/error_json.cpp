@@ -1,0 +1,15 @@
+#include "core/formats/error_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace nacre {
+
+nlohmann::ordered_json error_json(const TableError& error) {
+    return {{"worst", error.worst}, {"rms", error.root_mean_square}, {"directions", error.directions}};
+}
+
+nlohmann::ordered_json errors_json(const TableErrors& errors) {
+    return {{"g", error_json(errors.area)}, {"R", error_json(errors.albedo)}};
+}
+
+}  // namespace nacre

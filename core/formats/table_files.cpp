@@ -1,0 +1,111 @@
+#include "core/formats/table_files.h"
+
+#include <span>
+
+#include "core/base/system/atomic_file.h"
+#include "core/base/system/output_folder.h"
+#include "core/formats/table_manifest.h"
+#include "core/image/image_file.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Shader = Shading<double>;
+
+std::vector<float> part(const Tables& tables, int offset, int count) {
+    const auto begin = tables.data.begin() + offset;
+    return {begin, begin + count};
+}
+
+// The Fresnel residuals lie one after the other in the data and side by side in a pixel.
+TablePicture residual_picture(const Tables& tables) {
+    const auto& shape = tables.shading.surface.tables;
+    const int size = shape.nodes_v * shape.nodes_rho, channels = tables.plan.fresnel_tables;
+    TablePicture picture{"residual.exr", "residual", "v", "rho", {shape.nodes_v, shape.nodes_rho}, {"Y"}, {}};
+    if (channels == 3) picture.channels = {"R", "G", "B"};
+    for (int i = 0; i < size; ++i)
+        for (int c = 0; c < channels; ++c)
+            picture.values.push_back(
+                tables.data[static_cast<std::size_t>(shape.residual_offset + c * size + i)]);
+    return picture;
+}
+
+void add_layer_pictures(const Tables& tables, std::vector<TablePicture>& pictures) {
+    auto add = [&](int layer, const char* kind, int offset, int side) {
+        pictures.push_back({layer_picture_file(layer, kind),
+                            kind,
+                            "column",
+                            "row",
+                            {side, side},
+                            {"Y"},
+                            part(tables, offset, side * side)});
+    };
+    for (int i = 0; i < tables.shading.layer_count; ++i) {
+        const Shader::Layer& layer = tables.shading.layers[i];
+        if (lobe_reads_picture(layer.kind)) add(i, "painted", layer.data_offset, layer.data_size);
+        if (layer.picture_size > 0) add(i, "modulation", layer.picture_offset, layer.picture_size);
+    }
+}
+
+// For whoever loads the tables: which corner is which.
+TablePicture corners_picture() {
+    return {"corners.exr", "corners", "column", "row", {4, 3}, {"Y"}, {1, 0, 0, 2, 0, 0, 0, 0, 3, 0, 0, 4}};
+}
+
+constexpr const char* manifest_name = "manifest.json";
+
+}  // namespace
+
+std::vector<TablePicture> table_pictures(const Tables& tables) {
+    const auto& shape = tables.shading.surface.tables;
+    std::vector<TablePicture> pictures;
+    pictures.push_back({"area.exr",
+                        "A",
+                        "w",
+                        "psi",
+                        {shape.nodes_w, shape.nodes_psi},
+                        {"Y"},
+                        part(tables, shape.area_offset, shape.nodes_w * shape.nodes_psi)});
+    if (tables.plan.albedo)
+        pictures.push_back({"albedo.exr",
+                            "albedo",
+                            "v",
+                            "rho",
+                            {shape.nodes_v, shape.nodes_rho},
+                            {"Y"},
+                            part(tables, shape.albedo_offset, shape.nodes_v * shape.nodes_rho)});
+    if (tables.plan.albedo && tables.plan.fresnel_tables > 0) pictures.push_back(residual_picture(tables));
+    add_layer_pictures(tables, pictures);
+    pictures.push_back(corners_picture());
+    return pictures;
+}
+
+std::vector<fs::path> table_files(const fs::path& folder, const Design& design) {
+    std::vector<fs::path> files;
+    for (const char* name : {"area.exr", "albedo.exr", "residual.exr", "corners.exr", manifest_name})
+        files.push_back(folder / name);
+    for (int layer = 0; layer < static_cast<int>(design.distribution.layers.size()); ++layer)
+        for (const char* kind : {"painted", "modulation"})
+            files.push_back(folder / layer_picture_file(layer, kind));
+    return files;
+}
+
+// The manifest never stands beside tables that it does not describe, nor tables of two designs together.
+void write_table_files(const fs::path& folder, const Design& design, const Tables& tables,
+                       const TableErrors& errors) {
+    const OutputFolder made(folder);
+    const std::vector<TablePicture> pictures = table_pictures(tables);
+    const std::string manifest = table_manifest(design, tables, pictures, errors);
+    std::vector<ImageBytes> encoded;
+    for (const TablePicture& picture : pictures)
+        encoded.push_back(exr_bytes(picture.size, picture.channels, picture.values));
+    std::vector<FileToWrite> files;
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        files.push_back({folder / pictures[i].file, text_of(encoded[i])});
+    files.push_back({folder / manifest_name, manifest});
+    write_files_atomically(files);
+}
+
+}  // namespace nacre

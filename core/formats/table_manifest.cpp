@@ -1,0 +1,255 @@
+#include "core/formats/table_manifest.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/formats/error_json.h"
+
+namespace nacre {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Shader = Shading<double>;
+
+Json numbers(dvec2 v) { return Json::array({v.x, v.y}); }
+Json numbers(dvec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+// `lobe` is what the layer was made of; (i, j) in its formula is inverse_width.
+Json layer_json(const Tables& tables, int index, const Lobe& lobe) {
+    const Shader::Layer& layer = tables.shading.layers[index];
+    Json json = {{"kind", std::visit([](const auto& kind) { return kind.table_kind(); }, lobe)},
+                 {"lobe", std::visit([](const auto& kind) { return kind.formula(); }, lobe)},
+                 {"scale", layer.scale},
+                 {"axis_x", numbers(layer.axis_x)},
+                 {"axis_y", numbers(layer.axis_y)},
+                 {"axis_z", numbers(layer.axis_z)},
+                 {"inverse_width", numbers(layer.inverse_width)}};
+    if (std::holds_alternative<CurveLobe>(lobe)) {
+        Json curve = Json::array();
+        for (int i = 0; i < layer.data_size; ++i) {
+            const auto at = static_cast<std::size_t>(layer.data_offset + 2 * i);
+            curve.push_back({tables.data[at], tables.data[at + 1]});
+        }
+        json["curve"] = std::move(curve);
+    }
+    if (holds_picture(lobe)) json["picture"] = layer_picture_file(index, "painted");
+    if (layer.picture_size > 0) {
+        json["modulation"] = layer_picture_file(index, "modulation");
+        json["modulation_strength"] = layer.picture_strength;
+    }
+    return json;
+}
+
+// The lobes that the shader's layers stand for, in their order.
+std::vector<const Lobe*> lobes_in_use(const Distribution& distribution) {
+    std::vector<const Lobe*> lobes;
+    for (const Layer& layer : distribution.layers)
+        if (layer.enabled && layer.weight > 0) lobes.push_back(&layer.lobe);
+    return lobes;
+}
+
+Json distribution_json(const Design& design, const Tables& tables) {
+    const std::vector<const Lobe*> lobes = lobes_in_use(design.distribution);
+    Json layers = Json::array();
+    for (int i = 0; i < tables.shading.layer_count; ++i)
+        layers.push_back(layer_json(tables, i, *lobes.at(static_cast<std::size_t>(i))));
+    return {{"p",
+             "density of facet normals h on the sphere, 1/sr, integral 1: the sum over the layers of scale * "
+             "lobe"},
+            {"own_frame", "h in a layer's frame is (h.axis_x, h.axis_y, h.axis_z); theta in radians"},
+            {"pictures",
+             "side x side texels, the upper hemisphere seen from above: column = side (1 + x/sqrt(1+z))/2 - "
+             "1/2, row = "
+             "side (1 - y/sqrt(1+z))/2 - 1/2, both kept in [0, side-1], bilinear; row 0 is the first scan "
+             "line; 0 "
+             "where z <= 0"},
+            {"modulation", "the lobe times 1 - modulation_strength + modulation_strength * picture"},
+            {"layers", std::move(layers)}};
+}
+
+const char* fold_rule(Symmetry symmetry) {
+    switch (symmetry) {
+        case Symmetry::isotropic:
+            return "x' and y' as they are; psi = rho = 0 everywhere";
+        case Symmetry::quarter:
+            return "replace x' by |x'| and y' by |y'|";
+        case Symmetry::half:
+            return "replace y' by |y'|";
+        case Symmetry::none:
+            return "x' and y' as they are";
+    }
+    return "";
+}
+
+const char* row_rule(Symmetry symmetry) {
+    switch (symmetry) {
+        case Symmetry::isotropic:
+            return "there is but row 0";
+        case Symmetry::quarter:
+            return "row j stands at j/(n-1)";
+        case Symmetry::half:
+            return "row j stands at j/(n-1) * 2";
+        case Symmetry::none:
+            return "row j stands at j/n * 4; row n is row 0 again";
+    }
+    return "";
+}
+
+Json evaluation_json(const Tables& tables) {
+    const Symmetry symmetry = tables.plan.symmetry.symmetry;
+    Json steps = {
+        "k = (x, y, z): unit vector away from the surface, z = k.normal >= 0, x = k.tangent, y = k.bitangent",
+        "x' = axis[0] x + axis[1] y; y' = axis[0] y - axis[1] x",
+        fmt::format("fold: {}", fold_rule(symmetry)),
+        "r = sqrt(x'^2 + y'^2); psi = turns(stretch[0] (x' + lean r), stretch[1] y' sqrt(1 - lean^2))",
+        "turns(a, b), an azimuth in quarter turns: t = (|b| - |a|)/(|a| + |b|), -1 at 0/0; u = 1/2 + t (6 - "
+        "t^2)/10; "
+        "2 - u in its place where a < 0; then 4 minus it where b < 0",
+        "q = sqrt((stretch[0] x')^2 + (stretch[1] y')^2)",
+        "w = 2 q/(z g_normal + 2 q); 0 where the denominator is 0",
+        "g = max(0, x moment[0] + y moment[1] + (z g_normal + 2 q) A(w, psi))",
+        "P = N z/g; with clamp P = min(1, N z/g)"};
+    if (tables.plan.albedo) {
+        steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + turns(x', y'))/2");
+        steps.push_back("kept = min(1, g/(N z)) with clamp (1 at z = 0), 1 without");
+        steps.push_back(
+            "R1 = max(0, albedo(v, rho)) kept: the directional albedo of the specular term with F = 1");
+        if (tables.plan.fresnel_tables > 0)
+            steps.push_back(
+                "R0 = max(0, F0 max(0, albedo(v, rho)) + residual(v, rho)) kept, F0 = `fresnel_at_n`");
+        steps.push_back("R, the design's own albedo, is `albedo_of_design`");
+    }
+    return steps;
+}
+
+// What R0 and R mean with each Fresnel model.
+void add_fresnel_rules(const Tables& tables, Json& json) {
+    switch (tables.shading.kinds.fresnel_tables) {
+        case FresnelTables::none:
+            json["albedo_of_design"] = "R = R1";
+            break;
+        case FresnelTables::linear:
+            json["fresnel_at_n"] = "(1 - z)^5";
+            json["albedo_of_design"] = "R = f0 R1 + (1 - f0) R0";
+            break;
+        case FresnelTables::exact:
+            json["fresnel_at_n"] = "the exact F at the cosine z, each colour";
+            json["albedo_of_design"] = "R = R0, each colour";
+            break;
+    }
+}
+
+// One parameter of a model, as its list has it.
+template <class T>
+void add_parameter(const T& model, const NumberParameter<T>& parameter, Json& json) {
+    json[std::string(parameter.text.table_key())] = model.*parameter.member;
+}
+template <class T>
+void add_parameter(const T& model, const ColourParameter<T>& parameter, Json& json) {
+    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
+}
+template <class T>
+void add_parameter(const T& model, const TripleParameter<T>& parameter, Json& json) {
+    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
+}
+
+template <class Variant>
+void add_model(const char* key, const Variant& value, Json& json) {
+    json[key] = kind_name(value);
+    std::visit(
+        [&]<class T>(const T& model) {
+            visit_parameters<T>([&](const auto& parameter) { add_parameter(model, parameter, json); });
+        },
+        value);
+}
+
+Json material_json(const Design& design, const Tables& tables) {
+    const auto& surface = tables.shading.surface;
+    Json json;
+    add_model("fresnel", design.fresnel, json);
+    add_model("shadowing", design.shadowing.model, json);
+    json["clamp"] = design.shadowing.clamp;
+    add_model("diffuse", design.diffuse, json);
+    if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
+    if (tables.plan.albedo) json["coupling"] = numbers(surface.coupling);
+    return json;
+}
+
+template <class Variant>
+const char* formula_of(const Variant& model) {
+    return std::visit([]<class T>(const T&) { return T::formula; }, model);
+}
+
+Json brdf_json(const Design& design) {
+    return {
+        "1/sr; k1 toward the light, k2 toward the viewer, h = (k1 + k2)/|k1 + k2|, 0 where z1 <= 0 or z2 <= "
+        "0",
+        "G = max(g, N z) with clamp, G = g without", formula_of(design.shadowing.model),
+        "specular = p(h) F(k1.h) V/4", formula_of(design.diffuse)};
+}
+
+Json pictures_json(const std::vector<TablePicture>& pictures) {
+    Json list = Json::array();
+    for (const TablePicture& picture : pictures) {
+        Json json = {{"file", picture.file},     {"quantity", picture.quantity}, {"width", picture.size.x},
+                     {"height", picture.size.y}, {"channels", picture.channels}, {"x", picture.x}};
+        json["y"] = picture.y;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string layer_picture_file(int layer, const std::string& kind) {
+    return fmt::format("layer-{}-{}.exr", layer + 1, kind);
+}
+
+std::string table_manifest(const Design& design, const Tables& tables,
+                           const std::vector<TablePicture>& pictures, const TableErrors& errors) {
+    const auto& surface = tables.shading.surface;
+    const auto& shape = surface.tables;
+    const Symmetry symmetry = tables.plan.symmetry.symmetry;
+    Json json = {{"format", "nacre tables"}, {"version", 1}, {"name", design.name}, {"note", design.note}};
+    json["constants"] = {{"N", surface.N},
+                         {"g_normal", shape.g_normal},
+                         {"moment", numbers(shape.moment)},
+                         {"axis", numbers(shape.axis)},
+                         {"stretch", numbers(shape.stretch)},
+                         {"lean", shape.lean},
+                         {"mean_normal", numbers(tables.mean)},
+                         {"mean_albedo", tables.mean_albedo}};
+    json["material"] = material_json(design, tables);
+    json["distribution"] = distribution_json(design, tables);
+    json["symmetry"] = name_of(symmetry);
+    json["evaluate"] = evaluation_json(tables);
+    if (tables.plan.albedo) add_fresnel_rules(tables, json);
+    json["brdf"] = brdf_json(design);
+    json["tables"] = pictures_json(pictures);
+    json["texels"] = {
+        {"w, v", "column i of n stands at i/(n-1): texels on both ends, not at centres"},
+        {"psi, rho", row_rule(symmetry)},
+        {"between",
+         "linear in both; no mipmaps, no sRGB, no 8 bit; clamp to the edge but where row n is row 0"},
+        {"orientation",
+         "row 0 (psi = 0 or rho = 0) is the first scan line of the file, column 0 its leftmost texel. "
+         "corners.exr holds "
+         "1 in the first line's first texel, 2 in its last, 3 and 4 in the last line's first and last"}};
+    json["units"] =
+        "g, q: areas per area of facets; A, R and P: parts of 1; psi and rho in quarter turns, other "
+        "angles in radians unless said; colours "
+        "linear Rec. 709";
+    json["error"] = {{"g", error_json(errors.area)},
+                     {"g_is", "|G - exact G|/max(exact G, q/20)"},
+                     {"R", error_json(errors.albedo)},
+                     {"R_is", "|R - exact|"},
+                     {"tolerance", tables.tolerance},
+                     {"by_the_bake", errors_json(tables.errors)},
+                     {"against", "adaptive integration in double"}};
+    json["bake_seconds"] = tables.seconds;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace nacre

@@ -1,0 +1,31 @@
+// What reads and writes pictures, as a library of its own: OpenImageIO brings two hundred others that take
+// longer to load than all the rest of the program, and most runs never meet a picture.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/image/image_file.h"
+#include "core/image/picture.h"
+
+namespace nacre {
+
+// The functions of core/image/picture.h and image_file.h that need OpenImageIO.
+struct PictureModule {
+    const char* version;  // of Nacre; first, and the same in all: the program may be of another
+    Raster (*load_picture)(const std::filesystem::path&, const std::string&, const std::string&, PictureShape,
+                           PictureNotes*);
+    ColourPicture (*load_colours)(const std::filesystem::path&, PictureNotes*);
+    LatLong (*load_lat_long)(const std::filesystem::path&, PictureNotes*);
+    ImageBytes (*png_bytes)(glm::ivec2, std::span<const std::uint8_t>);
+    ImageBytes (*exr_bytes)(glm::ivec2, const std::vector<std::string>&, std::span<const float>);
+};
+
+}  // namespace nacre
+
+// The one name that the library shows.
+extern "C" const nacre::PictureModule* nacre_picture_module();

@@ -1,0 +1,36 @@
+// What p is made of: lobes with their weights and frames. Angles in degrees.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/lobes.h"
+#include "core/model/modulation.h"
+
+namespace nacre {
+
+struct Layer {
+    std::string name;
+    bool enabled = true;
+    Lobe lobe = GaussianLobe{};
+    double weight = 1;    // share of facet area, relative to the other layers'
+    double rotation = 0;  // about the lobe's own axis, first
+    double tilt = 0;      // then the axis leans from n ...
+    double azimuth = 0;   // ... toward this azimuth
+    std::optional<Modulation> modulation;
+
+    bool operator==(const Layer&) const = default;
+};
+
+inline bool holds_picture(const Layer& layer) {
+    return layer.modulation.has_value() || holds_picture(layer.lobe);
+}
+
+struct Distribution {
+    std::vector<Layer> layers = {Layer{}};
+    double mean_cosine_scale = 1;  // multiplies N = <n.h>; the paper doubles it for slanted velvet
+    bool operator==(const Distribution&) const = default;
+};
+
+}  // namespace nacre

@@ -1,0 +1,165 @@
+#include "core/shading/shader_variant.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+#include <vector>
+
+#include "shaders/shader_text.h"
+
+namespace nacre {
+namespace {
+
+using Shader = Shading<double>;
+
+std::string text_of(std::string_view name) {
+    const std::string_view text = shader_text(name);
+    assert(!text.empty());
+    return std::string(text);
+}
+
+// The files that a shader builds upon, in order.
+std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string_view main) {
+    if (main == "gather.frag") return {"shown.glsl", "environment.glsl", "draw.glsl"};
+    if (main != "surface.frag") return {};
+    if (variant.surroundings) return {"shown.glsl", "environment.glsl"};
+    return {"shown.glsl"};
+}
+
+// The lobe that a model of shaders/shared/closed_forms.glsl is written with, if any.
+std::optional<int> lobe_of(const std::optional<int>& closed_form) {
+    if (closed_form == Shader::MODEL_WARD) return kind_index<Lobe, GaussianLobe>();
+    if (closed_form == Shader::MODEL_GGX) return kind_index<Lobe, GgxLobe>();
+    if (closed_form == Shader::MODEL_BECKMANN) return kind_index<Lobe, BeckmannLobe>();
+    return {};
+}
+
+std::set<int> lobes_of(const ShaderVariant& variant) {
+    std::set<int> lobes = variant.lobes;
+    if (const auto lobe = lobe_of(variant.closed_form)) lobes.insert(*lobe);
+    return lobes;
+}
+
+// Some kinds of a set as GLSL: the texts of shaders/SET/, and a line CASE(index, NAME_SUFFIX, ...) each to
+// stand where the shared text says EACH_...; cmake/kinds.cmake does the same of all kinds for C++.
+struct KindTexts {
+    std::string functions;
+    std::string cases;
+};
+
+template <class Variant>
+KindTexts kind_texts(std::string_view set, std::string_view macro,
+                     std::initializer_list<const char*> suffixes, const std::set<int>& kinds) {
+    KindTexts texts;
+    for (const int index : kinds) {
+        const std::string_view name = KindSet<Variant>::names.at(static_cast<std::size_t>(index));
+        texts.functions += text_of(fmt::format("{}/{}.glsl", set, name)) + "\n";
+        texts.cases += fmt::format("    {}({}", macro, index);
+        for (const char* suffix : suffixes) texts.cases += fmt::format(", {}{}", name, suffix);
+        texts.cases += ")\n";
+    }
+    return texts;
+}
+
+// The shared text with these lines where it says `mark`.
+std::string with_cases(std::string text, std::string_view mark, const std::string& cases) {
+    const std::string line = fmt::format("{}\n", mark);
+    for (std::size_t at = text.find(line); at != text.npos; at = text.find(line, at + cases.size()))
+        text.replace(at, line.size(), cases);
+    return text;
+}
+
+std::string shown_definitions(const ShaderVariant& variant) {
+    std::string text;
+    const auto define = [&](std::string_view name, bool on) {
+        text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
+    };
+    define("CLOSED_FORM", variant.closed_form.has_value());
+    define("SHOWS_SPECULAR", variant.term == Term::specular);
+    define("SHOWS_DIFFUSE", variant.term == Term::diffuse);
+    define("SHOWS_FACTOR", is_factor(variant.term));
+    define("SHOWS_DENSITY", variant.term == Term::density);
+    define("SHOWS_MASKING_1", variant.term == Term::masking1);
+    define("SHOWS_MASKING_2", variant.term == Term::masking2);
+    define("SHOWS_FRESNEL", variant.term == Term::fresnel);
+    return text;
+}
+
+}  // namespace
+
+ShaderVariant variant_of(const Shading<double>& shading) {
+    ShaderVariant variant;
+    variant.kinds = shading.kinds;
+    for (int i = 0; i < shading.layer_count; ++i) {
+        variant.lobes.insert(shading.layers[i].kind);
+        variant.modulation = variant.modulation || shading.layers[i].picture_size > 0;
+    }
+    return variant;
+}
+
+std::string variant_definitions(const ShaderVariant& variant) {
+    std::string text =
+        "#define scalar float\n#define scalar2 vec2\n#define scalar3 vec3\n"
+        "#define real float\n#define real2 vec2\n#define real3 vec3\n#define integer int\n#define condition "
+        "bool\n"
+        "#define CONSTANT const\n#define PURE\n#define READS\n#define LARGEST 3.402823466e+38\n";
+    text += fmt::format("#define MAX_LAYERS {}\n", limits::layers_max);
+    auto define = [&](std::string_view name, bool on) {
+        text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
+    };
+    const std::set<int> lobes = lobes_of(variant);
+    define("HAS_GAUSSIAN", lobes.count(kind_index<Lobe, GaussianLobe>()) > 0);
+    define("HAS_GGX", lobes.count(kind_index<Lobe, GgxLobe>()) > 0);
+    define("HAS_BECKMANN", lobes.count(kind_index<Lobe, BeckmannLobe>()) > 0);
+    define("HAS_PICTURE", variant.modulation || std::any_of(lobes.begin(), lobes.end(), lobe_reads_picture));
+    define("HAS_MODULATION", variant.modulation);
+    define("HAS_ALBEDO", variant.kinds.albedo);
+    define("HAS_LINEAR_FRESNEL", variant.kinds.fresnel_tables == FresnelTables::linear);
+    define("HAS_EXACT_FRESNEL", variant.kinds.fresnel_tables == FresnelTables::exact);
+    define("AMBIENT_LIGHT", variant.ambient);
+    define("SURROUNDINGS", variant.surroundings);
+    text += fmt::format("#define LIGHTS {}\n", variant.lights);
+    text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
+    // One model of each set is there.
+    for (const char* fixed : {"FRESNEL_IS(index)", "FRESNEL_IS_LINEAR", "FRESNEL_IS_EXACT",
+                              "MASKING_IS(index)", "DIFFUSE_IS(index)", "READS_ALBEDO"})
+        text += fmt::format("#define {} true\n", fixed);
+    return text;
+}
+
+std::string shared_parameters() { return text_of("shared/parameters.glsl"); }
+
+std::string shared_mathematics(const ShaderVariant& variant) {
+    const ShadingKinds& kinds = variant.kinds;
+    const KindTexts lobe = kind_texts<Lobe>("lobes", "LOBE_CASE", {"_lobe"}, lobes_of(variant));
+    const KindTexts fresnel = kind_texts<Fresnel>("fresnel", "FRESNEL_CASE", {"_fresnel"}, {kinds.fresnel});
+    const KindTexts masking =
+        kind_texts<MaskingModel>("masking", "MASKING_CASE", {"_masking"}, {kinds.masking});
+    const KindTexts diffuse = kind_texts<Diffuse>("diffuse", "DIFFUSE_CASE",
+                                                  {"_share", "_diffuse", "_diffuse_albedo"}, {kinds.diffuse});
+    std::string text;
+    for (const std::string& part :
+         {text_of("choice.glsl"), text_of("shared/fresnel.glsl"), fresnel.functions,
+          text_of("shared/pictures.glsl"), lobe.functions, text_of("shared/lobes.glsl"),
+          text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
+          diffuse.functions, text_of("shared/brdf.glsl")})
+        text += part + "\n";
+    text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
+    text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
+    text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
+    return with_cases(std::move(text), "EACH_DIFFUSE", diffuse.cases);
+}
+
+std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
+    std::string text = "#version 330 core\n" + variant_definitions(variant) + shown_definitions(variant) +
+                       shared_parameters() + "\n" + text_of("uniforms.glsl") + "\n" +
+                       shared_mathematics(variant) + "\n";
+    if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
+    if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";
+    for (const std::string_view part : parts_of(variant, main)) text += text_of(part) + "\n";
+    return text + text_of(main);
+}
+
+}  // namespace nacre

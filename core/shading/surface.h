@@ -1,0 +1,22 @@
+// Fills the shader's parameters from a design: the layers of p and the material, not the tables.
+#pragma once
+
+#include <vector>
+
+#include "core/design/design.h"
+#include "core/model/facet_distribution.h"
+#include "core/model/shading.h"
+
+namespace nacre {
+
+// Layers, and the curves and pictures they read, appended to `data`.
+void describe_layers(const Distribution& distribution, const FacetDistribution& facets,
+                     Shading<double>& shading, std::vector<float>& data);
+
+// Masking, Fresnel and diffuse; coupling stays 0 until the albedo is known.
+void describe_material(const Design& design, const FacetDistribution& facets, Shading<double>& shading);
+
+// F(1), each colour.
+dvec3 normal_reflectance(const Fresnel& fresnel);
+
+}  // namespace nacre

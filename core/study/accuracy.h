@@ -1,0 +1,59 @@
+// Error beside time: every way of computing and storing g and R, measured on one design.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/bake/tables.h"
+#include "core/design/design.h"
+#include "core/study/omission_cost.h"
+#include "core/study/way.h"
+
+namespace nacre {
+
+enum class Quantity {
+    area,         // g; error relative, see area_error()
+    full_albedo,  // R with F = 1; absolute
+    zero_albedo   // R with Schlick's factor of f0 = 0; absolute
+};
+
+const char* name_of(Quantity quantity);  // g, R1, R0
+
+struct AccuracyPoint {
+    std::string setting;
+    Quantity quantity = Quantity::area;
+    double seconds = 0;     // of the processor, from the design to the table: the shortest of several runs
+    std::size_t bytes = 0;  // of all that is stored; with R, g is among it
+    TableError error;
+};
+
+struct WayAccuracy {
+    WayKind kind;
+    std::string name;
+    std::string about;
+    std::vector<AccuracyPoint> points;  // in the order they were made, rising in cost
+    std::string left_out;               // why there are none
+};
+
+struct DesignAccuracy {
+    std::string name;  // of the design, for people
+    std::string file;  // stem for the files about it
+    Symmetry symmetry = Symmetry::none;
+    std::vector<WayAccuracy> ways;
+    OmissionCosts costs;
+};
+
+struct AccuracyOptions {
+    int area_probes = 200;
+    int albedo_probes = 16;
+    double longest = 1;  // seconds: a way stops rising after a table that took longer
+};
+
+// R is that of the design's p and shadowing, with F = 1 and with f0 = 0 whatever its own Fresnel model is.
+// Throws what bake() throws; BakeCancelled soon after `stop` is requested. `progress` gets values in [0, 1].
+DesignAccuracy measure_accuracy(const Design& design, const AccuracyOptions& options = {},
+                                std::stop_token stop = {}, const std::function<void(double)>& progress = {});
+
+}  // namespace nacre

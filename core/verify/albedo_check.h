@@ -1,0 +1,29 @@
+// Does any direction reflect more than it gets?
+#pragma once
+
+#include <stop_token>
+
+#include "core/bake/tables.h"
+#include "core/verify/reference.h"
+
+namespace nacre {
+
+struct AlbedoCheck {
+    double worst = 0;    // the largest R at F = 1; infinite where one is no number
+    int violations = 0;  // directions with R > 1 + 1e-6
+    int directions = 0;
+    int unsettled = 0;  // directions whose R could not be told from 1 in the time there is
+};
+
+// Rings of directions, the last at 89.5 degrees. The paper's count unless another is asked for (Ashikhmin
+// 2000, sec. 5.2 and 6.4).
+struct AlbedoRings {
+    int polar = 10;
+    int azimuths = 20;
+};
+
+// By the bake's quadrature, and by the reference where that cannot tell R from 1, the largest R first.
+AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std::stop_token stop,
+                           const AlbedoRings& rings = {});
+
+}  // namespace nacre
