@@ -2,7 +2,7 @@
 # Each publishes one folder of the build, where ROOM is a link to the sources: #include "core/ROOM/file.h" is found by
 # those alone who need the room.
 
-# nacre_publish(FOLDER PATH): PATH of the source tree, a folder or a file, as it is included from FOLDER.
+# nacre_publish(FOLDER PATH): the folder PATH of the source tree as it is included from FOLDER.
 function(nacre_publish folder path)
     cmake_path(GET path PARENT_PATH parent)
     file(MAKE_DIRECTORY ${folder}/${parent})

@@ -12,7 +12,7 @@ list(APPEND public_model
 set(public_design design/design.h design/design_file.h)
 set(public_shading shading/term.h)
 set(public_bake
-    bake/bake.h bake/brdf.h bake/brdf_pairs.h bake/plan.h bake/symmetry.h bake/table_size.h bake/tables.h
+    bake/bake.h bake/brdf.h bake/brdf_pairs.h bake/needs.h bake/symmetry.h bake/table_size.h bake/tables.h
     bake/workers.h)
 foreach(room library base image model design shading bake)
     list(TRANSFORM public_${room} PREPEND ${NACRE_ROOMS}/${room}/core/ OUTPUT_VARIABLE headers)

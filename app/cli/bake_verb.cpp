@@ -31,7 +31,7 @@ std::string json_summary(const WrittenTables& written, const std::string& folder
                          {"bytes", picture.values.size() * sizeof(float)}});
     const nlohmann::ordered_json json = {{"folder", folder},
                                          {"seconds", tables.seconds},
-                                         {"symmetry", name_of(tables.plan.symmetry.symmetry)},
+                                         {"symmetry", name_of(tables.needs.symmetry.symmetry)},
                                          {"table_bytes", tables.table_floats() * sizeof(float)},
                                          {"tables", std::move(files)},
                                          {"errors",
@@ -49,7 +49,7 @@ std::string text_summary(const WrittenTables& written, const std::string& folder
                             picture.size.y, picture.values.size() * sizeof(float));
     text += fmt::format("  {:<24}\n", "manifest.json");
     text += fmt::format("baked in {:.3f} s, symmetry {}\n", tables.seconds,
-                        name_of(tables.plan.symmetry.symmetry));
+                        name_of(tables.needs.symmetry.symmetry));
     const auto line = [](const char* quantity, const TableError& error) {
         return fmt::format("  {:<24} worst {:.1e}, root mean square {:.1e}, {} directions\n", quantity,
                            error.worst, error.root_mean_square, error.directions);

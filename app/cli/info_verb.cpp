@@ -10,6 +10,7 @@
 #include "app/cli/verbs.h"
 #include "core/formats/error_json.h"
 #include "core/formats/table_files.h"
+#include "core/shading/shader_variant.h"
 
 namespace nacre::cli {
 namespace {
@@ -37,25 +38,26 @@ std::vector<LayerInfo> layers_of(const Design& design) {
     return infos;
 }
 
-// What the shader of this design is made of.
-std::vector<std::string> shader_parts(const Design& design, const Tables& tables) {
+template <class Variant>
+std::string_view kind_name_of(int kind) {
+    return KindSet<Variant>::names[static_cast<std::size_t>(kind)];
+}
+
+// What the shader of these tables is made of.
+std::vector<std::string> shader_parts(const Tables& tables) {
+    const ShaderVariant variant = variant_of(tables.shading);
+    const ShadingKinds& kinds = variant.kinds;
     std::vector<std::string> parts;
-    auto add = [&](std::string part) {
-        if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(std::move(part));
-    };
-    for (const Layer& layer : design.distribution.layers) {
-        if (!layer.enabled || layer.weight <= 0) continue;
-        add(fmt::format("lobe {}", kind_name(layer.lobe)));
-        if (layer.modulation) add("modulation by a picture");
-    }
-    add(fmt::format("shadowing {}{}", kind_name(design.shadowing.model),
-                    design.shadowing.clamp ? ", clamped" : ""));
-    if (!std::holds_alternative<NoFresnel>(design.fresnel))
-        add(fmt::format("fresnel {}", kind_name(design.fresnel)));
-    if (!std::holds_alternative<NoDiffuse>(design.diffuse))
-        add(fmt::format("diffuse {}", kind_name(design.diffuse)));
-    add("table of g");
-    if (tables.plan.albedo) add("tables of R");
+    for (const int lobe : variant.lobes) parts.push_back(fmt::format("lobe {}", kind_name_of<Lobe>(lobe)));
+    if (variant.modulation) parts.emplace_back("modulation by a picture");
+    parts.push_back(fmt::format("shadowing {}{}", kind_name_of<MaskingModel>(kinds.masking),
+                                kinds.clamp ? ", clamped" : ""));
+    if (kinds.fresnel != kind_index<Fresnel, NoFresnel>())
+        parts.push_back(fmt::format("fresnel {}", kind_name_of<Fresnel>(kinds.fresnel)));
+    if (kinds.diffuse != kind_index<Diffuse, NoDiffuse>())
+        parts.push_back(fmt::format("diffuse {}", kind_name_of<Diffuse>(kinds.diffuse)));
+    parts.emplace_back("table of g");
+    if (kinds.albedo) parts.emplace_back("tables of R");
     return parts;
 }
 
@@ -98,9 +100,9 @@ std::string text_info(const Design& design, const Tables& tables) {
         text +=
             fmt::format("  {:5.1f} %  {}{}{}\n", 100 * layer.share, layer.lobe,
                         layer.modulated ? ", modulated" : "", layer.name.empty() ? "" : "  " + layer.name);
-    text +=
-        fmt::format("\ndistribution\n  N         {:.6g}\n  H         {:.6g} {:.6g} {:.6g}\n  symmetry  {}\n",
-                    tables.shading.surface.N, mean.x, mean.y, mean.z, name_of(tables.plan.symmetry.symmetry));
+    text += fmt::format(
+        "\ndistribution\n  N         {:.6g}\n  H         {:.6g} {:.6g} {:.6g}\n  symmetry  {}\n",
+        tables.shading.surface.N, mean.x, mean.y, mean.z, name_of(tables.needs.symmetry.symmetry));
     text += "\ntables\n";
     for (const TablePicture& picture : tables_in_use(tables))
         text += fmt::format("  {:<20} {:>4} x {:<4} {:>8} bytes\n", name_of_table(picture), picture.size.x,
@@ -109,9 +111,9 @@ std::string text_info(const Design& design, const Tables& tables) {
                         tables.seconds);
     text += fmt::format("\nsizes, for errors within {:.1e}\n", tables.tolerance);
     text += size_reason("g", tables.errors.area, tables.tried_area);
-    if (tables.plan.albedo) text += size_reason("R", tables.errors.albedo, tables.tried_albedo);
-    text += fmt::format("\nshader\n  {}\n\nleft out\n", fmt::join(shader_parts(design, tables), "\n  "));
-    for (const Omission& omission : tables.plan.omissions)
+    if (tables.needs.albedo) text += size_reason("R", tables.errors.albedo, tables.tried_albedo);
+    text += fmt::format("\nshader\n  {}\n\nleft out\n", fmt::join(shader_parts(tables), "\n  "));
+    for (const Omission& omission : tables.omissions)
         text += fmt::format("  {}: {}\n", omission.what, omission.why);
     return text;
 }
@@ -130,21 +132,21 @@ std::string json_info(const Design& design, const Tables& tables) {
                             {"height", picture.size.y},
                             {"channels", picture.channels.size()},
                             {"bytes", picture.values.size() * sizeof(float)}});
-    for (const Omission& omission : tables.plan.omissions)
+    for (const Omission& omission : tables.omissions)
         omissions.push_back({{"what", omission.what}, {"why", omission.why}});
     const Json json = {{"name", design.name},
                        {"note", design.note},
                        {"layers", std::move(layers)},
                        {"N", tables.shading.surface.N},
                        {"H", {tables.mean.x, tables.mean.y, tables.mean.z}},
-                       {"symmetry", name_of(tables.plan.symmetry.symmetry)},
+                       {"symmetry", name_of(tables.needs.symmetry.symmetry)},
                        {"tables", std::move(pictures)},
                        {"bake_seconds", tables.seconds},
                        {"table_bytes", tables.table_floats() * sizeof(float)},
                        {"tolerance", tables.tolerance},
                        {"g", size_json(tables.errors.area, tables.tried_area)},
                        {"R", size_json(tables.errors.albedo, tables.tried_albedo)},
-                       {"shader", shader_parts(design, tables)},
+                       {"shader", shader_parts(tables)},
                        {"left_out", std::move(omissions)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -57,7 +57,7 @@ std::shared_ptr<const Tables> BakeJob::poll(std::chrono::milliseconds patience) 
     answered_ = published->revision;
     problem_ = published->error ? plain_words(published->error) : std::string();
     auto tables = published->result.value_or(nullptr);
-    if (tables && tables->plan.quality == Quality::draft)
+    if (tables && tables->quality == Quality::draft)
         last_draft_ = std::chrono::duration<double>(tables->seconds);
     return tables;
 }

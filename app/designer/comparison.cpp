@@ -38,7 +38,7 @@ std::string title_of(const Snapshot& snapshot) {
 }
 
 bool serves(const std::shared_ptr<const Tables>& tables, const Scene& scene) {
-    return tables && (tables->plan.albedo || !scene.ambient);
+    return tables && (tables->needs.albedo || !scene.ambient);
 }
 
 }  // namespace

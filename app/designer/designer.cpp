@@ -67,7 +67,7 @@ Design shown_design(const Designer& designer) {
 // Final tables of this design, if they are what the preview shows.
 std::shared_ptr<const Tables> final_tables(const Designer& designer) {
     const bool newest = designer.baker.answered() == designer.baker.asked();
-    const bool final = designer.tables && designer.tables->plan.quality == Quality::final;
+    const bool final = designer.tables && designer.tables->quality == Quality::final;
     return newest && final ? designer.tables : nullptr;
 }
 

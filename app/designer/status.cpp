@@ -9,10 +9,10 @@ namespace nacre {
 namespace {
 
 std::string size_text(const Tables& tables) {
-    const auto& plan = tables.plan;
-    const std::string nodes = plan.nodes.psi > 1 ? fmt::format("{} \u00d7 {}", plan.nodes.w, plan.nodes.psi)
-                                                 : fmt::format("{}", plan.nodes.w);
-    const Symmetry symmetry = plan.symmetry.symmetry;
+    const TableSize& size = tables.size;
+    const std::string nodes =
+        size.psi > 1 ? fmt::format("{} \u00d7 {}", size.w, size.psi) : fmt::format("{}", size.w);
+    const Symmetry symmetry = tables.needs.symmetry.symmetry;
     const double kilobytes = static_cast<double>(tables.table_floats() * sizeof(float)) / 1024;
     return fmt::format("{} nodes, {}, {:.1f} kB", nodes,
                        symmetry == Symmetry::none ? "no symmetry" : name_of(symmetry), kilobytes);
@@ -25,7 +25,7 @@ std::string time_text(const Tables& tables) {
 
 std::string error_text(const Tables& tables) {
     std::string text = fmt::format("g within {:.2g} %", tables.errors.area.worst * 100);
-    if (tables.plan.albedo) text += fmt::format(", R within {:.2g} %", tables.errors.albedo.worst * 100);
+    if (tables.needs.albedo) text += fmt::format(", R within {:.2g} %", tables.errors.albedo.worst * 100);
     return text;
 }
 
@@ -33,9 +33,9 @@ std::string error_text(const Tables& tables) {
 
 ui::TablesStatus status_of(const Tables& tables) {
     ui::TablesStatus status;
-    status.quality = tables.plan.quality == Quality::draft ? "Draft" : "Final";
+    status.quality = tables.quality == Quality::draft ? "Draft" : "Final";
     status.tables = fmt::format("{}   {}   {}", size_text(tables), time_text(tables), error_text(tables));
-    for (const Omission& omission : tables.plan.omissions)
+    for (const Omission& omission : tables.omissions)
         status.left_out.push_back(omission.what + ": " + omission.why);
     const double lean = polar_angle(tables.mean);
     status.valid = lean < ui::lean_noticed;

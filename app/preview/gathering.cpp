@@ -44,7 +44,7 @@ void Gathering::set_environment(std::shared_ptr<const Environment> environment) 
 void Gathering::set_facets(const std::shared_ptr<const Tables>& tables) {
     if (tables == facets_of_) return;
     facets_of_ = tables;
-    const int side = tables->plan.quality == Quality::draft ? draft_side : final_side;
+    const int side = tables->quality == Quality::draft ? draft_side : final_side;
     store_order(facet_order_, order_facets(*tables->distribution, side));
 }
 

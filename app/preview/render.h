@@ -1,4 +1,4 @@
-// A design as a picture: the line Design -> BakePlan -> Tables -> Shader -> picture, walked at once.
+// A design as a picture: the line Design -> Needs -> Tables -> Shader -> picture, walked at once.
 #pragma once
 
 #include <functional>

@@ -21,12 +21,12 @@ constexpr std::size_t layer_probes = 8;
 
 }  // namespace
 
-AlbedoTable::AlbedoTable(const AlbedoRules& rules, const BakePlan& plan, Workers& workers)
-    : rules_(rules), nodes_{plan.nodes.v, plan.nodes.rho}, channels_(plan.fresnel_tables) {
+AlbedoTable::AlbedoTable(const AlbedoRules& rules, TableNodes nodes, Workers& workers)
+    : rules_(rules), nodes_(nodes), channels_(rules.channels()) {
     fill(workers);
     read_ = rules.area().data();
     shading_ = rules.shading();
-    place(shading_, plan, static_cast<int>(read_.size()));
+    place(shading_, nodes_, static_cast<int>(read_.size()));
     read_.insert(read_.end(), data_.begin(), data_.end());
     shading_.data = read_.data();
     probe(workers);
@@ -173,12 +173,12 @@ std::vector<dvec3> AlbedoTable::worst_of(const std::vector<KnownAlbedo>& known, 
     return worst;
 }
 
-void AlbedoTable::place(Shading<double>& shading, const BakePlan& plan, int offset) {
+void AlbedoTable::place(Shading<double>& shading, TableNodes nodes, int offset) {
     auto& shape = shading.surface.tables;
-    shape.nodes_v = plan.nodes.v;
-    shape.nodes_rho = plan.nodes.rho;
+    shape.nodes_v = nodes.polar;
+    shape.nodes_rho = nodes.azimuth;
     shape.albedo_offset = offset;
-    shape.residual_offset = offset + plan.nodes.v * plan.nodes.rho;
+    shape.residual_offset = offset + nodes.polar * nodes.azimuth;
 }
 
 }  // namespace nacre

@@ -21,6 +21,7 @@ class AlbedoRules {
     AlbedoRules(const AreaTable& area, const Shading<double>& material, int channels,
                 const AlbedoEffort& effort)
         : area_(area),
+          channels_(channels),
           shading_(area.shading(material)),
           nodes_(*area.distribution(), shading_, channels, effort.rule_tolerance),
           probes_(nodes_.finer(effort.probe_tolerance)),
@@ -33,6 +34,7 @@ class AlbedoRules {
     const AlbedoRule& nodes() const { return nodes_; }
     const AlbedoRule& probes() const { return probes_; }
     int most_probes() const { return effort_.probes; }
+    int channels() const { return channels_; }
 
     // Lets both rules keep their tolerance at those directions too; whether they had to change.
     bool refine_at(const std::vector<dvec3>& directions) {
@@ -42,6 +44,7 @@ class AlbedoRules {
 
   private:
     const AreaTable& area_;
+    int channels_;  // Fresnel tables, see Needs
     Shading<double> shading_;
     AlbedoRule nodes_, probes_;
     AlbedoEffort effort_;
@@ -56,7 +59,7 @@ struct KnownAlbedo {
 class AlbedoTable {
   public:
     // On the grid of g's table, which is also where g(k2) is read. `rules` is kept as a reference.
-    AlbedoTable(const AlbedoRules& rules, const BakePlan& plan, Workers& workers);
+    AlbedoTable(const AlbedoRules& rules, TableNodes nodes, Workers& workers);
     AlbedoTable(const AlbedoTable&) = delete;
     AlbedoTable& operator=(const AlbedoTable&) = delete;
 
@@ -80,7 +83,7 @@ class AlbedoTable {
     const std::vector<float>& data() const { return data_; }
 
     // Tells the shader that these tables begin at `offset` of its data.
-    static void place(Shading<double>& shading, const BakePlan& plan, int offset);
+    static void place(Shading<double>& shading, TableNodes nodes, int offset);
 
   private:
     void fill(Workers& workers);

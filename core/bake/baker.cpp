@@ -86,53 +86,50 @@ Baker::Followed Baker::follow(const Distribution& distribution) const {
     return now;
 }
 
-bool Baker::sum_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers) {
+std::optional<Baker::KeptArea> Baker::sum_area(const Kept& made, const Followed& now,
+                                               const Shading<double>& material, Workers& workers) const {
     if (made.options.quality != Quality::draft || !draft_ || !now.same_lobes || made.options.size ||
-        draft_->area->distribution() != distribution_ || draft_->plan.symmetry != made.plan.symmetry)
-        return false;
-    const auto area =
-        std::make_shared<const AreaTable>(*draft_->area, now.distribution, now.changes, workers);
-    const AxisError error = area->measure(material);
-    if (error.all.worst > std::max(outgrown * draft_->fitted_error, outgrown_least)) return false;
-    made.area = area;
-    made.area_error = error;
-    made.fitted_error = draft_->fitted_error;
-    made.plan.nodes.w = draft_->plan.nodes.w;
-    made.plan.nodes.psi = draft_->plan.nodes.psi;
-    return true;
+        draft_->area.table->distribution() != distribution_ || draft_->needs.symmetry != made.needs.symmetry)
+        return {};
+    KeptArea area = draft_->area;
+    area.tried.clear();
+    area.table = std::make_shared<const AreaTable>(*area.table, now.distribution, now.changes, workers);
+    area.error = area.table->measure(material);
+    if (area.error.all.worst > std::max(outgrown * area.fitted_error, outgrown_least)) return {};
+    return area;
 }
 
-void Baker::make_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers) {
+Baker::KeptArea Baker::make_area(const Kept& made, const Followed& now, const Shading<double>& material,
+                                 Workers& workers) {
     area_origin_ = TableOrigin::summed;
-    if (sum_area(made, now, material, workers)) return;
+    if (auto summed = sum_area(made, now, material, workers)) return std::move(*summed);
     area_origin_ = TableOrigin::baked;
     const bool many =
         made.options.quality == Quality::final && count_facets(made.design.distribution) > many_facets;
     const std::shared_ptr<const FacetDistribution> tabled =
         many ? workers.run([&] { return merge_facets(made.design.distribution, *now.distribution); })
              : now.distribution;
-    const FittedArea fitted = fit_area(tabled, made.plan, made.options, material, workers);
-    made.area = fitted.table;
-    made.area_error = fitted.error;
+    FittedArea fitted = fit_area(tabled, made.needs, made.options, material, workers);
+    KeptArea area{.table = std::move(fitted.table),
+                  .nodes = fitted.nodes,
+                  .error = fitted.error,
+                  .fitted_error = fitted.error.all.worst,
+                  .tried = std::move(fitted.tried)};
     if (many) {
         const double merging = workers.run([&] { return merging_error(*now.distribution, *tabled); });
-        made.area_error.all.worst += merging;
-        made.area_error.all.root_mean_square += merging;
+        area.error.all.worst += merging;
+        area.error.all.root_mean_square += merging;
     }
-    made.fitted_error = fitted.error.all.worst;
-    made.tried_area = fitted.tried;
-    made.plan.nodes.w = fitted.nodes.polar;
-    made.plan.nodes.psi = fitted.nodes.azimuth;
+    return area;
 }
 
-void Baker::make_albedo(Kept& made, const Shading<double>& material, Workers& workers) {
-    albedo_origin_ = TableOrigin::baked;
-    FittedAlbedo fitted = fit_albedo(*made.area, made.area_error, made.plan, made.options, material, workers);
-    made.albedo = std::make_shared<const std::vector<float>>(std::move(fitted.data));
-    made.albedo_error = fitted.error;
-    made.tried_albedo = fitted.tried;
-    made.plan.nodes.v = fitted.nodes.polar;
-    made.plan.nodes.rho = fitted.nodes.azimuth;
+Baker::KeptAlbedo Baker::make_albedo(const Kept& made, const Shading<double>& material, Workers& workers) {
+    FittedAlbedo fitted =
+        fit_albedo(*made.area.table, made.area.error, made.needs, made.options, material, workers);
+    return {.data = std::make_shared<const std::vector<float>>(std::move(fitted.data)),
+            .nodes = fitted.nodes,
+            .error = fitted.error,
+            .tried = std::move(fitted.tried)};
 }
 
 // Keeps of the tables before what the design does not change.
@@ -140,33 +137,23 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
                           const Shading<double>& material, Workers& workers) {
     const bool keep_area =
         before && same_wishes(before->options, made.options) && same_area(before->design, made.design);
-    const bool keep_albedo = keep_area && before->albedo && same_albedo(before->design, made.design);
+    const bool keep_albedo = keep_area && before->albedo.data && same_albedo(before->design, made.design);
     area_origin_ = albedo_origin_ = TableOrigin::kept;
-    const Stopwatch area_time;
     made.distribution = keep_area ? before->distribution : now.distribution;
     if (keep_area) {
         made.area = before->area;
-        made.area_seconds = before->area_seconds;
-        made.area_error = before->area_error;
-        made.fitted_error = before->fitted_error;
-        made.tried_area = before->tried_area;
-        made.plan.nodes.w = before->plan.nodes.w;
-        made.plan.nodes.psi = before->plan.nodes.psi;
     } else {
-        make_area(made, now, material, workers);
-        made.area_seconds = area_time.seconds();
+        const Stopwatch time;
+        made.area = make_area(made, now, material, workers);
+        made.area.seconds = time.seconds();
     }
     if (keep_albedo) {
         made.albedo = before->albedo;
-        made.albedo_error = before->albedo_error;
-        made.albedo_seconds = before->albedo_seconds;
-        made.tried_albedo = before->tried_albedo;
-        made.plan.nodes.v = before->plan.nodes.v;
-        made.plan.nodes.rho = before->plan.nodes.rho;
-    } else if (made.plan.albedo) {
-        const Stopwatch albedo_time;
-        make_albedo(made, material, workers);
-        made.albedo_seconds = albedo_time.seconds();
+    } else if (made.needs.albedo) {
+        const Stopwatch time;
+        made.albedo = make_albedo(made, material, workers);
+        made.albedo.seconds = time.seconds();
+        albedo_origin_ = TableOrigin::baked;
     }
 }
 
@@ -181,12 +168,12 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     report(0);
     Kept made{.design = named, .options = options};
     made.design.distribution = without_names(named.distribution);
-    made.plan = plan_bake(named, {options.quality, options.albedo, options.size, options.symmetry});
+    made.needs = needs_of(named, {options.albedo, options.symmetry});
     const Followed now = workers.run([&] { return follow(made.design.distribution); });
     report(0.1);
     auto tables = std::make_shared<Tables>();
     describe_material(named, *now.distribution, tables->shading);
-    tables->shading.kinds.albedo = made.plan.albedo;
+    tables->shading.kinds.albedo = made.needs.albedo;
     std::optional<Kept>& slot = options.quality == Quality::draft ? draft_ : final_;
     choose_tables(made, slot, now, tables->shading, workers);
     report(0.9);
@@ -199,31 +186,41 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     return tables;
 }
 
+void Baker::add_albedo(const Kept& made, Tables& tables, Workers& workers) {
+    Shading<double>& shading = tables.shading;
+    const KeptAlbedo& albedo = made.albedo;
+    AlbedoTable::place(shading, albedo.nodes, static_cast<int>(tables.data.size()));
+    tables.data.insert(tables.data.end(), albedo.data->begin(), albedo.data->end());
+    shading.data = tables.data.data();
+    const AlbedoIntegrals integrals = integrate_albedo(
+        shading, made.options.quality == Quality::draft ? draft_coupling : final_coupling, workers);
+    tables.mean_albedo = integrals.mean;
+    shading.surface.coupling = integrals.coupling;
+    // An error of g is one of P in R = E[F P], so that it adds its mean at the most.
+    tables.errors.albedo = albedo.error;
+    tables.errors.albedo.worst += tables.errors.area.root_mean_square;
+    tables.errors.albedo.root_mean_square += tables.errors.area.root_mean_square;
+    tables.tried_albedo = albedo.tried;
+    tables.size.v = albedo.nodes.polar;
+    tables.size.rho = albedo.nodes.azimuth;
+}
+
 void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     Shading<double>& shading = tables.shading;
-    shading = made.area->shading(shading);
-    tables.plan = made.plan;
+    shading = made.area.table->shading(shading);
+    tables.needs = made.needs;
+    tables.omissions = omissions_of(made.design, made.needs);
+    tables.quality = made.options.quality;
+    tables.size.w = made.area.nodes.polar;
+    tables.size.psi = made.area.nodes.azimuth;
     tables.distribution = made.distribution;
     tables.mean = tables.distribution->mean();
-    tables.data = made.area->data();
+    tables.data = made.area.table->data();
     tables.tolerance = made.options.tolerance;
-    tables.made_seconds = made.area_seconds + made.albedo_seconds;
-    tables.errors.area = made.area_error.all;
-    tables.tried_area = made.tried_area;
-    if (made.albedo) {
-        AlbedoTable::place(shading, made.plan, static_cast<int>(tables.data.size()));
-        tables.data.insert(tables.data.end(), made.albedo->begin(), made.albedo->end());
-        shading.data = tables.data.data();
-        const AlbedoIntegrals integrals = integrate_albedo(
-            shading, made.options.quality == Quality::draft ? draft_coupling : final_coupling, workers);
-        tables.mean_albedo = integrals.mean;
-        shading.surface.coupling = integrals.coupling;
-        // An error of g is one of P in R = E[F P], so that it adds its mean at the most.
-        tables.errors.albedo = made.albedo_error;
-        tables.errors.albedo.worst += tables.errors.area.root_mean_square;
-        tables.errors.albedo.root_mean_square += tables.errors.area.root_mean_square;
-        tables.tried_albedo = made.tried_albedo;
-    }
+    tables.made_seconds = made.area.seconds + made.albedo.seconds;
+    tables.errors.area = made.area.error.all;
+    tables.tried_area = made.area.tried;
+    if (made.albedo.data) add_albedo(made, tables, workers);
     describe_layers(made.design.distribution, *tables.distribution, shading, tables.data);
     shading.data = tables.data.data();
 }

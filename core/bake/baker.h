@@ -29,19 +29,29 @@ class Baker {
     TableOrigin albedo_origin() const { return albedo_origin_; }
 
   private:
+    struct KeptArea {
+        std::shared_ptr<const AreaTable> table = {};  // of p, or of its facets merged
+        TableNodes nodes{};
+        AxisError error = {};
+        double fitted_error = 0;  // worst of g when the grid was fitted to p
+        std::vector<TriedSize> tried = {};
+        double seconds = 0;  // that it took to make
+    };
+    struct KeptAlbedo {
+        std::shared_ptr<const std::vector<float>> data = {};  // see AlbedoTable; null where R is not needed
+        TableNodes nodes{};
+        TableError error = {};
+        std::vector<TriedSize> tried = {};
+        double seconds = 0;
+    };
     // The last tables of one quality and what they were made for.
     struct Kept {
         Design design = {};
         BakeOptions options = {};
-        BakePlan plan = {};
+        Needs needs = {};
         std::shared_ptr<const FacetDistribution> distribution = {};
-        std::shared_ptr<const AreaTable> area = {};  // of that, or of its facets merged
-        AxisError area_error = {};
-        double fitted_error = 0;                                // worst of g when the grid was fitted to p
-        std::shared_ptr<const std::vector<float>> albedo = {};  // see AlbedoTable
-        TableError albedo_error = {};
-        std::vector<TriedSize> tried_area = {}, tried_albedo = {};
-        double area_seconds = 0, albedo_seconds = 0;  // that it took to make them
+        KeptArea area = {};
+        KeptAlbedo albedo = {};
     };
 
     // What lobes the new distribution shares with the one before.
@@ -52,13 +62,16 @@ class Baker {
     };
 
     Followed follow(const Distribution& distribution) const;
-    void make_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers);
-    bool sum_area(Kept& made, const Followed& now, const Shading<double>& material, Workers& workers);
+    KeptArea make_area(const Kept& made, const Followed& now, const Shading<double>& material,
+                       Workers& workers);
+    std::optional<KeptArea> sum_area(const Kept& made, const Followed& now, const Shading<double>& material,
+                                     Workers& workers) const;
     void choose_tables(Kept& made, const std::optional<Kept>& before, const Followed& now,
                        const Shading<double>& material, Workers& workers);
-    void make_albedo(Kept& made, const Shading<double>& material, Workers& workers);
+    static KeptAlbedo make_albedo(const Kept& made, const Shading<double>& material, Workers& workers);
 
     static void assemble(const Kept& made, Tables& tables, Workers& workers);
+    static void add_albedo(const Kept& made, Tables& tables, Workers& workers);
 
     Distribution before_;  // what distribution_ was made from
     std::shared_ptr<const FacetDistribution> distribution_;

@@ -1,8 +1,10 @@
 // The directions of the tables: see shaders/shared/tables.glsl for the map from k to (w, psi).
 #pragma once
 
-#include "core/bake/plan.h"
+#include "core/bake/symmetry.h"
+#include "core/bake/table_size.h"
 #include "core/model/facet_distribution.h"
+#include "core/model/shading.h"
 
 namespace nacre {
 

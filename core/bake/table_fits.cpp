@@ -56,11 +56,13 @@ class AreaMaker {
   public:
     using Result = Fitted<AreaTable>;
 
-    AreaMaker(const std::shared_ptr<const FacetDistribution>& distribution, const BakePlan& plan,
-              double tolerance, const Shading<double>& material, Workers& workers)
+    AreaMaker(const std::shared_ptr<const FacetDistribution>& distribution,
+              const DistributionSymmetry& symmetry, const BakeOptions& options,
+              const Shading<double>& material, Workers& workers)
         : distribution_(distribution),
-          plan_(plan),
-          enough_(tolerance / claim_slack),
+          symmetry_(symmetry),
+          quality_(options.quality),
+          enough_(options.tolerance / claim_slack),
           material_(material),
           workers_(workers) {}
 
@@ -69,15 +71,15 @@ class AreaMaker {
     Result make(TableNodes nodes) {
         Result result;
         result.nodes = nodes;
-        result.table = std::make_shared<const AreaTable>(distribution_, plan_.symmetry, nodes,
-                                                         without_moment_, plan_.quality, workers_);
+        result.table = std::make_shared<const AreaTable>(distribution_, symmetry_, nodes, without_moment_,
+                                                         quality_, workers_);
         result.error = result.table->measure(material_);
         result.table->tell(known_);
         return result;
     }
 
     void search(Result& result, Search how = Search::usual) {
-        if (plan_.quality == Quality::draft) return;
+        if (quality_ == Quality::draft) return;
         result.table->search(material_, enough_, how, result.error, known_, workers_);
         result.error.all.worst = shared(result);
     }
@@ -88,7 +90,8 @@ class AreaMaker {
 
   private:
     std::shared_ptr<const FacetDistribution> distribution_;
-    const BakePlan& plan_;
+    DistributionSymmetry symmetry_;
+    Quality quality_;
     double enough_;
     const Shading<double>& material_;
     Workers& workers_;
@@ -100,22 +103,20 @@ class AlbedoMaker {
   public:
     using Result = Fitted<AlbedoTable>;
 
-    AlbedoMaker(AlbedoRules& rules, const BakePlan& plan, double tolerance, Workers& workers)
-        : rules_(rules), plan_(plan), enough_(tolerance), workers_(workers) {}
+    AlbedoMaker(AlbedoRules& rules, Quality quality, double tolerance, Workers& workers)
+        : rules_(rules), quality_(quality), enough_(tolerance), workers_(workers) {}
 
     Result make(TableNodes nodes) {
-        plan_.nodes.v = nodes.polar;
-        plan_.nodes.rho = nodes.azimuth;
         Result result;
         result.nodes = nodes;
-        result.table = std::make_shared<const AlbedoTable>(rules_, plan_, workers_);
+        result.table = std::make_shared<const AlbedoTable>(rules_, nodes, workers_);
         result.error = result.table->measure();
         result.table->tell(known_);
         return result;
     }
 
     void search(Result& result, Search how = Search::usual) {
-        if (plan_.quality == Quality::draft) return;
+        if (quality_ == Quality::draft) return;
         result.table->search(enough_, how, result.error, known_, workers_);
         result.error.all.worst = shared(result);
     }
@@ -134,7 +135,7 @@ class AlbedoMaker {
 
   private:
     AlbedoRules& rules_;
-    BakePlan plan_;
+    Quality quality_;
     double enough_;
     Workers& workers_;
     std::vector<KnownAlbedo> known_;
@@ -146,17 +147,22 @@ bool first_is_better(const AreaMaker& maker, const Fitted<AreaTable>& a, const F
     return maker.shared(a) < maker.shared(b);
 }
 
+TableSize beginning(Symmetry symmetry, const BakeOptions& options) {
+    return options.size ? *options.size : first_size(symmetry, options.quality);
+}
+
 }  // namespace
 
-FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution, const BakePlan& plan,
+FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution, const Needs& needs,
                     const BakeOptions& options, const Shading<double>& material, Workers& workers) {
     const bool draft = options.quality == Quality::draft, fixed = draft || options.size.has_value();
     const double tolerance = fixed ? never : options.tolerance;
     const FitWishes wishes{fixed ? never : area_part * tolerance, tolerance, fixed ? 0 : area_floats_usual,
                            fixed ? 0 : growth_of(*distribution) * area_floats_usual};
-    const TableNodes first{plan.nodes.w, plan.nodes.psi};
-    AreaMaker maker(distribution, plan, options.tolerance, material, workers);
-    TableFit<AreaMaker> with(maker, plan.symmetry.symmetry, wishes), without = with;
+    const TableSize size = beginning(needs.symmetry.symmetry, options);
+    const TableNodes first{size.w, size.psi};
+    AreaMaker maker(distribution, needs.symmetry, options, material, workers);
+    TableFit<AreaMaker> with(maker, needs.symmetry.symmetry, wishes), without = with;
     TableFit<AreaMaker>* taken = &with;
     Fitted<AreaTable> fitted = with.within_limit(first);
     const double leaning = lean_of(*distribution);
@@ -180,7 +186,7 @@ FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution
     return {fitted.table, fitted.error, fitted.nodes, taken->tried()};
 }
 
-FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, const BakePlan& plan,
+FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, const Needs& needs,
                         const BakeOptions& options, const Shading<double>& material, Workers& workers) {
     const bool draft = options.quality == Quality::draft, fixed = draft || options.size.has_value();
     const double tolerance = options.tolerance;
@@ -190,15 +196,17 @@ FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, cons
     const double rest = std::max(tolerance - area_error.all.root_mean_square, 0.3 * tolerance);
     const double target =
         std::max(albedo_part * tolerance - area_error.all.root_mean_square, 0.3 * tolerance);
-    const int area_floats = static_cast<int>(area.data().size()), tables = 1 + plan.fresnel_tables;
+    const int area_floats = static_cast<int>(area.data().size()), tables = 1 + needs.fresnel_tables;
     const int usual = std::max(floats_usual - area_floats, floats_usual - area_floats_usual) / tables;
     const FitWishes wishes{
         fixed ? never : target, fixed ? never : rest, fixed ? 0 : usual,
         fixed ? 0 : std::max(growth_of(*area.distribution()) * floats_usual - area_floats, 0) / tables};
-    AlbedoRules rules(area, material, plan.fresnel_tables, effort);
-    AlbedoMaker maker(rules, plan, tolerance / claim_slack - area_error.all.root_mean_square, workers);
-    TableFit<AlbedoMaker> fit(maker, plan.symmetry.symmetry, wishes);
-    const TableNodes first{plan.nodes.v, plan.nodes.rho};
+    AlbedoRules rules(area, material, needs.fresnel_tables, effort);
+    AlbedoMaker maker(rules, options.quality, tolerance / claim_slack - area_error.all.root_mean_square,
+                      workers);
+    TableFit<AlbedoMaker> fit(maker, needs.symmetry.symmetry, wishes);
+    const TableSize size = beginning(needs.symmetry.symmetry, options);
+    const TableNodes first{size.v, size.rho};
     Fitted<AlbedoTable> fitted = fit.within_limit(first);
     for (int round = 0; round < rule_rounds && fitted.error.all.worst > wishes.tolerance; ++round) {
         if (!maker.refine_rules(fitted)) break;

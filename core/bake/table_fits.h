@@ -21,12 +21,12 @@ struct FittedAlbedo {
     std::vector<TriedSize> tried;
 };
 
-// `plan` tells the first size; material holds the design but for its tables.
-FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution, const BakePlan& plan,
+// From options.size or first_size() on; material holds the design but for its tables.
+FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution, const Needs& needs,
                     const BakeOptions& options, const Shading<double>& material, Workers& workers);
 
 // The same over a table of g, whose error is given.
-FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, const BakePlan& plan,
+FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, const Needs& needs,
                         const BakeOptions& options, const Shading<double>& material, Workers& workers);
 
 }  // namespace nacre

@@ -6,11 +6,9 @@
 namespace nacre {
 
 std::size_t Tables::table_floats() const {
-    const std::size_t area =
-        static_cast<std::size_t>(plan.nodes.psi) * static_cast<std::size_t>(plan.nodes.w);
-    const std::size_t albedos = plan.albedo ? 1 + static_cast<std::size_t>(plan.fresnel_tables) : 0;
-    const std::size_t albedo =
-        static_cast<std::size_t>(plan.nodes.rho) * static_cast<std::size_t>(plan.nodes.v);
+    const std::size_t area = static_cast<std::size_t>(size.psi) * static_cast<std::size_t>(size.w);
+    const std::size_t albedos = needs.albedo ? 1 + static_cast<std::size_t>(needs.fresnel_tables) : 0;
+    const std::size_t albedo = static_cast<std::size_t>(size.rho) * static_cast<std::size_t>(size.v);
     return area + albedos * albedo;
 }
 

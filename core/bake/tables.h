@@ -4,7 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/bake/plan.h"
+#include "core/bake/needs.h"
+#include "core/bake/table_size.h"
 #include "core/model/facet_distribution.h"
 #include "core/model/quadrature.h"
 #include "core/model/shading.h"
@@ -42,7 +43,10 @@ struct Tables {
     Tables(const Tables&) = delete;
     Tables& operator=(const Tables&) = delete;
 
-    BakePlan plan;
+    Needs needs;
+    std::vector<Omission> omissions;  // what the design does not need
+    Quality quality = Quality::final;
+    TableSize size;  // as the bake chose it, or as it was asked for
     std::shared_ptr<const FacetDistribution> distribution;
     std::vector<float> data;
     Shading<double> shading;
@@ -51,7 +55,7 @@ struct Tables {
     double mean_albedo = 0;  // (1/pi) integral of R cos dk with F = 1, of the interpolant; 0 without R
     double tolerance = 0;    // that the bake was asked for
     TableErrors errors;      // measured by the bake, on directions between nodes
-    std::vector<TriedSize> tried_area, tried_albedo;  // on the way to the sizes of the plan
+    std::vector<TriedSize> tried_area, tried_albedo;  // on the way to `size`
     double seconds = 0;                               // that the request took
     double made_seconds = 0;  // that the tables took when they were made, for this request or one before
 

@@ -101,12 +101,12 @@ ClosedForm matching_form(const Tables& tables, ClosedFormModel model) {
     form.albedo_offset = -1;
     const Shader& shading = tables.shading;
     if (model == ClosedFormModel::oren_nayar) {
-        assert(tables.plan.albedo);
+        assert(tables.needs.albedo);
         const double sigma = std::atan(std::sqrt(slopes.median.x * slopes.median.y)) / gaussian_quartile;
         form.sigma2 = sigma * sigma;
         form.rho = glm::min(mean_albedo(shading), dvec3{1});
     }
-    if (tables.plan.albedo) {
+    if (tables.needs.albedo) {
         made.albedo = albedo_tables(shading, form);
         form.albedo_offset = static_cast<int>(tables.data.size());
     }

@@ -112,13 +112,13 @@ std::string glsl_export(const Design& design, const Tables& tables, const std::s
         "bitangent,\n"
         "//     z normal; 0 where either is not above the horizon.\n",
         one_line(design.name, 80), prefix);
-    if (tables.plan.albedo)
+    if (tables.needs.albedo)
         head +=
             fmt::format("// vec3 {}_albedo(vec3 k): albedo of the whole BRDF toward k, k.z > 0.\n", prefix);
     std::string text = prefixed(without_comments(body), prefix);
     text.replace(text.find(numbers_here), 1, numbers(tables.data));
     text.insert(0, head);
-    if (tables.plan.albedo)
+    if (tables.needs.albedo)
         text += fmt::format(
             "\nvec3 {0}_albedo(vec3 k) {{\n    return {0}_total_albedo({0}_direction(k));\n}}\n", prefix);
     return text;

@@ -22,7 +22,7 @@ std::vector<float> part(const Tables& tables, int offset, int count) {
 // The Fresnel residuals lie one after the other in the data and side by side in a pixel.
 TablePicture residual_picture(const Tables& tables) {
     const auto& shape = tables.shading.surface.tables;
-    const int size = shape.nodes_v * shape.nodes_rho, channels = tables.plan.fresnel_tables;
+    const int size = shape.nodes_v * shape.nodes_rho, channels = tables.needs.fresnel_tables;
     TablePicture picture{"residual.exr", "residual", "v", "rho", {shape.nodes_v, shape.nodes_rho}, {"Y"}, {}};
     if (channels == 3) picture.channels = {"R", "G", "B"};
     for (int i = 0; i < size; ++i)
@@ -68,7 +68,7 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
                         {shape.nodes_w, shape.nodes_psi},
                         {"Y"},
                         part(tables, shape.area_offset, shape.nodes_w * shape.nodes_psi)});
-    if (tables.plan.albedo)
+    if (tables.needs.albedo)
         pictures.push_back({"albedo.exr",
                             "albedo",
                             "v",
@@ -76,7 +76,7 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
                             {shape.nodes_v, shape.nodes_rho},
                             {"Y"},
                             part(tables, shape.albedo_offset, shape.nodes_v * shape.nodes_rho)});
-    if (tables.plan.albedo && tables.plan.fresnel_tables > 0) pictures.push_back(residual_picture(tables));
+    if (tables.needs.albedo && tables.needs.fresnel_tables > 0) pictures.push_back(residual_picture(tables));
     add_layer_pictures(tables, pictures);
     pictures.push_back(corners_picture());
     return pictures;

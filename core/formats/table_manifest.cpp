@@ -98,7 +98,7 @@ const char* row_rule(Symmetry symmetry) {
 }
 
 Json evaluation_json(const Tables& tables) {
-    const Symmetry symmetry = tables.plan.symmetry.symmetry;
+    const Symmetry symmetry = tables.needs.symmetry.symmetry;
     Json steps = {
         "k = (x, y, z): unit vector away from the surface, z = k.normal >= 0, x = k.tangent, y = k.bitangent",
         "x' = axis[0] x + axis[1] y; y' = axis[0] y - axis[1] x",
@@ -111,12 +111,12 @@ Json evaluation_json(const Tables& tables) {
         "w = 2 q/(z g_normal + 2 q); 0 where the denominator is 0",
         "g = max(0, x moment[0] + y moment[1] + (z g_normal + 2 q) A(w, psi))",
         "P = N z/g; with clamp P = min(1, N z/g)"};
-    if (tables.plan.albedo) {
+    if (tables.needs.albedo) {
         steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + turns(x', y'))/2");
         steps.push_back("kept = min(1, g/(N z)) with clamp (1 at z = 0), 1 without");
         steps.push_back(
             "R1 = max(0, albedo(v, rho)) kept: the directional albedo of the specular term with F = 1");
-        if (tables.plan.fresnel_tables > 0)
+        if (tables.needs.fresnel_tables > 0)
             steps.push_back(
                 "R0 = max(0, F0 max(0, albedo(v, rho)) + residual(v, rho)) kept, F0 = `fresnel_at_n`");
         steps.push_back("R, the design's own albedo, is `albedo_of_design`");
@@ -173,7 +173,7 @@ Json material_json(const Design& design, const Tables& tables) {
     json["clamp"] = design.shadowing.clamp;
     add_model("diffuse", design.diffuse, json);
     if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
-    if (tables.plan.albedo) json["coupling"] = numbers(surface.coupling);
+    if (tables.needs.albedo) json["coupling"] = numbers(surface.coupling);
     return json;
 }
 
@@ -211,7 +211,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
                            const std::vector<TablePicture>& pictures, const TableErrors& errors) {
     const auto& surface = tables.shading.surface;
     const auto& shape = surface.tables;
-    const Symmetry symmetry = tables.plan.symmetry.symmetry;
+    const Symmetry symmetry = tables.needs.symmetry.symmetry;
     Json json = {{"format", "nacre tables"}, {"version", 1}, {"name", design.name}, {"note", design.note}};
     json["constants"] = {{"N", surface.N},
                          {"g_normal", shape.g_normal},
@@ -225,7 +225,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
     json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
     json["evaluate"] = evaluation_json(tables);
-    if (tables.plan.albedo) add_fresnel_rules(tables, json);
+    if (tables.needs.albedo) add_fresnel_rules(tables, json);
     json["brdf"] = brdf_json(design);
     json["tables"] = pictures_json(pictures);
     json["texels"] = {

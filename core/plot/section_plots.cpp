@@ -66,7 +66,7 @@ std::string azimuth_name(double phi) { return fmt::format("\u03c6 {:.4g}\u00b0",
 template <class ValueOf>
 CurvePlot along_azimuths(const Tables& tables, const std::string& name, CurveRange range,
                          const ValueOf& value_of) {
-    const std::vector<double> azimuths = shown_azimuths(tables.plan.symmetry);
+    const std::vector<double> azimuths = shown_azimuths(tables.needs.symmetry);
     Curves curves{.series = {}, .range = std::move(range)};
     if (azimuths.size() == 1) curves.series = {{.name = name}};
     for (std::size_t i = 0; azimuths.size() > 1 && i < azimuths.size(); ++i)
@@ -85,7 +85,7 @@ struct AlbedoAt {
 
 AlbedoAt albedo_at(const Tables& tables, dvec3 k) {
     k.z = std::max(k.z, 0.0);
-    const Values<4> values = read_albedo(tables.shading, k, tables.plan.fresnel_tables);
+    const Values<4> values = read_albedo(tables.shading, k, tables.needs.fresnel_tables);
     return {.material = tables.shading.direction(k).R, .zero = values[1], .one = values[0]};
 }
 
@@ -128,7 +128,7 @@ AlbedoCurves albedo_curves(const Tables& tables, bool several_azimuths) {
 }  // namespace
 
 Plot albedo_plot(const Tables& tables, const PlotSettings& settings) {
-    const std::vector<double> azimuths = shown_azimuths(tables.plan.symmetry);
+    const std::vector<double> azimuths = shown_azimuths(tables.needs.symmetry);
     const bool several = azimuths.size() > 1;
     const AlbedoCurves kinds = albedo_curves(tables, several);
     Curves curves{.series = {},

@@ -194,7 +194,7 @@ std::string accuracy_markdown(const std::vector<DesignAccuracy>& designs) {
         "table, with one thread; that of R holds that of g.\n\n## Summary\n\nWorst error of g:\n\n{}\nWorst "
         "error of R:\n\n{}\nA second opinion "
         "on g:\n\n{}"
-        "\nWhat the plan leaves out:\n\n{}",
+        "\nWhat the bake leaves out:\n\n{}",
         summary(designs, ChartOf::area), summary(designs, ChartOf::albedo), harmonics_summary(designs),
         cost_summary(designs));
     for (const DesignAccuracy& design : designs) text += design_section(design);

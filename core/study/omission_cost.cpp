@@ -50,7 +50,7 @@ OmissionCosts measure_omissions(const Design& design, const std::stop_token& sto
     const auto own = time_from_cold([&] { return bake(design, {.threads = 1}, stop); });
     costs.bake = {own.seconds, own.result->table_floats() * sizeof(float)};
     Fuller all{.design = design};
-    for (const Omission& omission : own.result->plan.omissions) {
+    for (const Omission& omission : own.result->omissions) {
         Fuller one{.design = design};
         if (!put_back(omission.part, one)) continue;
         put_back(omission.part, all);

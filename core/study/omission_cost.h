@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/bake/plan.h"
+#include "core/bake/needs.h"
 #include "core/design/design.h"
 
 namespace nacre {

@@ -11,7 +11,7 @@ StoredTable stored(std::shared_ptr<const Tables> tables) {
     return {
         .area =
             [tables](dvec3 k) { return tables->shading.projected_area(k, tables->shading.table_spot(k)); },
-        .albedo = [tables](dvec3 k) { return read_albedo(tables->shading, k, tables->plan.fresnel_tables); },
+        .albedo = [tables](dvec3 k) { return read_albedo(tables->shading, k, tables->needs.fresnel_tables); },
         .bytes = tables->table_floats() * sizeof(float)};
 }
 

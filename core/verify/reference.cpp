@@ -7,8 +7,9 @@
 #include <numbers>
 
 #include "core/bake/bake.h"
-#include "core/bake/plan.h"
+#include "core/bake/needs.h"
 #include "core/bake/stretched_grid.h"
+#include "core/bake/table_size.h"
 #include "core/shading/surface.h"
 
 namespace nacre {
@@ -32,12 +33,15 @@ Reference::Reference(const Design& design)
     describe_material(design, distribution_, shading_);
     describe_layers(design.distribution, distribution_, shading_, data_);
     shading_.data = data_.data();
-    const BakePlan plan = plan_bake(design, {Quality::final, true, {}});
+    const Needs needs = needs_of(design, {.albedo = true});
     if (masking_bends(static_cast<std::size_t>(shading_.kinds.masking)) == MaskingBends::azimuth)
         shading_.surface.tables.axis =
-            StretchedGrid(distribution_, plan.symmetry, plan.nodes.psi, false).shape().axis;
-    channels_ = plan.fresnel_tables;
-    round_ = plan.symmetry.symmetry == Symmetry::isotropic;
+            StretchedGrid(distribution_, needs.symmetry,
+                          first_size(needs.symmetry.symmetry, Quality::final).psi, false)
+                .shape()
+                .axis;
+    channels_ = needs.fresnel_tables;
+    round_ = needs.symmetry.symmetry == Symmetry::isotropic;
     reads_albedo_ = nacre::reads_albedo(design.diffuse);
     shading_.kinds.albedo = reads_albedo_;
 }

@@ -20,7 +20,8 @@ constexpr double seconds = 8;  // of the processor
 // The specular term alone, unweighted, so that every sample is a visible facet.
 std::shared_ptr<const Tables> specular_only(const Tables& tables) {
     auto specular = std::make_shared<Tables>();
-    specular->plan = tables.plan;
+    specular->needs = tables.needs;
+    specular->size = tables.size;
     specular->distribution = tables.distribution;
     specular->data = tables.data;
     specular->shading = tables.shading;

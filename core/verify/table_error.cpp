@@ -43,7 +43,7 @@ TableErrors measure_table_errors(const Tables& tables, const Reference& referenc
     for (const dvec3 k : probe_directions(counts.area))
         errors.push_back(area_error(tables.shading, k, reference.projected_area(k)));
     result.area = summarise(errors);
-    if (!tables.plan.albedo) return result;
+    if (!tables.needs.albedo) return result;
     const std::vector<dvec3> probes = probe_directions(counts.albedo);
     errors.assign(probes.size(), 0);
     const CloseAlbedo albedo(reference, albedo_tolerance);
@@ -51,7 +51,7 @@ TableErrors measure_table_errors(const Tables& tables, const Reference& referenc
         if (stop.stop_requested()) throw BakeCancelled();
         const dvec3 k = probes[static_cast<std::size_t>(i)];
         errors[static_cast<std::size_t>(i)] =
-            albedo_error(tables.shading, k, albedo(k, stop), tables.plan.fresnel_tables);
+            albedo_error(tables.shading, k, albedo(k, stop), tables.needs.fresnel_tables);
     });
     errors.resize(static_cast<std::size_t>(done));
     result.albedo = summarise(errors);

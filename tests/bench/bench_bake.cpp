@@ -23,7 +23,7 @@ void add_everything(Report& report, const char* name, const Design& design, Qual
         std::shared_ptr<const Tables> tables;
         const double seconds = repeat(state, [&] { tables = bake(design, options); });
         Line line = within(what, seconds, wanted);
-        const auto& n = tables->plan.nodes;
+        const auto& n = tables->size;
         line.remark = fmt::format("{} x {} and {} x {} nodes", n.w, n.psi, n.v, n.rho);
         report.add(line);
     });

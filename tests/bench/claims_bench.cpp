@@ -58,7 +58,7 @@ class ClaimsBench {
             return;
         }
         const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-        const TableSize& nodes = tables->plan.nodes;
+        const TableSize& nodes = tables->size;
         const HeldOutError g = held_out_area(*tables, area_directions_),
                            R = held_out_albedo(*tables, albedo_directions_);
         area_.add(tables->errors.area, tables->tolerance, g);

@@ -54,7 +54,7 @@ Run hold_button(nacre::Stage& stage, double seconds, const Move& move, const Dra
         glFinish();
         drawn(start, run);
         if (const auto& now = stage.designer().tables; now != shown) {
-            ++(now->plan.quality == nacre::Quality::final ? run.finals : run.drafts);
+            ++(now->quality == nacre::Quality::final ? run.finals : run.drafts);
             shown = now;
         }
         next = std::max(next + frame_time, Clock::now());

@@ -141,7 +141,7 @@ TEST_SUITE_BEGIN("tolerance");
 TEST_CASE("600 nodes hold g of one lobe within 5e-4, 1e-4 in the mean, whatever its width") {
     auto check = [](const Lobe& lobe, const TableSize& size) {
         const auto tables = bake(design_of(lobe), {.size = size});
-        CHECK(tables->plan.nodes.w * tables->plan.nodes.psi <= 600);
+        CHECK(tables->size.w * tables->size.psi <= 600);
         CHECK(tables->errors.area.worst <= 5e-4);
         CHECK(tables->errors.area.root_mean_square <= 1e-4);
         CHECK(worst_error(*tables) <= 5e-4);

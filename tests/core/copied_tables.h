@@ -7,7 +7,10 @@ namespace nacre::test {
 
 inline std::shared_ptr<Tables> copy_of(const Tables& good) {
     auto tables = std::make_shared<Tables>();
-    tables->plan = good.plan;
+    tables->needs = good.needs;
+    tables->omissions = good.omissions;
+    tables->quality = good.quality;
+    tables->size = good.size;
     tables->distribution = good.distribution;
     tables->data = good.data;
     tables->shading = good.shading;

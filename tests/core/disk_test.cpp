@@ -75,7 +75,7 @@ void check_same(const Layer& a, const Layer& b) {
     const BakeOptions draft{.quality = Quality::draft, .threads = 1};
     const auto tables = bake(design, draft), others = bake(same, draft);
     CHECK(tables->data == others->data);
-    CHECK(tables->plan.symmetry.symmetry == others->plan.symmetry.symmetry);
+    CHECK(tables->needs.symmetry.symmetry == others->needs.symmetry.symmetry);
 }
 
 // Along radii of the disk, which meet a picture's lines between middles in points, exactly between those;

@@ -94,7 +94,7 @@ TEST_CASE("R summed over facets side by side is the sum over each of them") {
                 Random random(*rc::gen::arbitrary<unsigned>());
                 const dvec3 k1 = random_direction(random);
                 const double g1 = tables->distribution->projected_area(k1);
-                const int channels = tables->plan.fresnel_tables;
+                const int channels = tables->needs.fresnel_tables;
                 const auto area = [&](dvec3 k) { return shading.projected_area(k, shading.table_spot(k)); };
                 const FacetAlbedo one{shading, k1, g1, channels};
                 WeightedDirections facets;

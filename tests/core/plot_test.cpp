@@ -72,11 +72,11 @@ TEST_CASE("R is what the tables hold, at every f0, and what lies between f0 = 0 
     for (const Design& design : {coloured(design_of(GgxLobe{0.3, 0.3})), coloured(two_sided())}) {
         const auto tables = baked(design);
         const CurvePlot plot = curves_of(*tables, settings_of(PlotKind::albedo));
-        const bool round = tables->plan.symmetry.symmetry == Symmetry::isotropic;
+        const bool round = tables->needs.symmetry.symmetry == Symmetry::isotropic;
         REQUIRE(plot.series.size() == (round ? 5 : 12));
         const std::size_t zero = round ? 3 : 1, one = round ? 4 : 2;
         for (std::size_t i = 0; i < plot.at.size(); ++i) {
-            dvec3 k = polar_direction(plot.at[i], tables->plan.symmetry.axis);
+            dvec3 k = polar_direction(plot.at[i], tables->needs.symmetry.axis);
             k.z = std::max(k.z, 0.0);
             const Values<4> values = read_albedo(tables->shading, k, 1);
             CHECK(plot.series[zero].values[i] == values[1]);

@@ -52,8 +52,8 @@ TEST_CASE("each omission costs what it brings, and all of them together the most
 TEST_CASE("a bake uses no more symmetry than it is told, and never more than p has") {
     const Design design = brushed();
     const auto plain = bake(design), whole = bake(design, {.symmetry = Symmetry::none});
-    CHECK(plain->plan.symmetry.symmetry == Symmetry::quarter);
-    CHECK(whole->plan.symmetry.symmetry == Symmetry::none);
+    CHECK(plain->needs.symmetry.symmetry == Symmetry::quarter);
+    CHECK(whole->needs.symmetry.symmetry == Symmetry::none);
     CHECK(bake(design, {.symmetry = Symmetry::isotropic})->data == plain->data);
     const dvec3 k = polar(0.2, 4);
     const double g = plain->distribution->area(k).g;

@@ -128,7 +128,7 @@ TEST_CASE("the bake's draft and final are what bake() gives") {
     CHECK(table.bytes == final->table_floats() * sizeof(float));
     const dvec3 k = polar(0.3, 1.1);
     CHECK(table.area(k) == final->shading.projected_area(k, final->shading.table_spot(k)));
-    CHECK(table.albedo(k) == read_albedo(final->shading, k, final->plan.fresnel_tables));
+    CHECK(table.albedo(k) == read_albedo(final->shading, k, final->needs.fresnel_tables));
     CHECK(way.settings[0].make(Wanted::area, {}).bytes < table.bytes / 4);
 }
 

@@ -66,10 +66,10 @@ TEST_CASE("designer: every edit brings new tables") {
     r.play("wait");
     CHECK(r.stage.designer().preview.has_picture());
     const auto first = r.designer().tables;
-    CHECK(first->plan.quality == Quality::final);
+    CHECK(first->quality == Quality::final);
     r.play("drag \"Width x\":0.5 \"Width x\":0.1 5\nwait");
     CHECK(r.designer().tables != first);
-    CHECK(r.designer().tables->plan.quality == Quality::final);
+    CHECK(r.designer().tables->quality == Quality::final);
     CHECK(r.stage.designer().baker.problem().empty());
 }
 

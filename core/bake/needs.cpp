@@ -1,11 +1,9 @@
-#include "core/bake/plan.h"
+#include "core/bake/needs.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
-
-#include "core/bake/table_size.h"
 
 namespace nacre {
 namespace {
@@ -15,11 +13,35 @@ bool uses_picture(const Design& design) {
                        [](const Layer& l) { return l.enabled && l.weight > 0 && holds_picture(l); });
 }
 
-void list_omissions(const Design& design, BakePlan& plan) {
+int count_fresnel_tables(const Fresnel& fresnel) {
+    switch (fresnel_tables(fresnel)) {
+        case FresnelTables::none:
+            return 0;
+        case FresnelTables::linear:
+            return 1;
+        case FresnelTables::exact:
+            return 3;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Needs needs_of(const Design& design, const MoreNeeds& more) {
+    Needs needs;
+    needs.symmetry = find_symmetry(design.distribution);
+    if (more.symmetry) needs.symmetry.symmetry = std::max(needs.symmetry.symmetry, *more.symmetry);
+    needs.albedo = more.albedo || reads_albedo(design.diffuse);
+    if (needs.albedo) needs.fresnel_tables = count_fresnel_tables(design.fresnel);
+    return needs;
+}
+
+std::vector<Omission> omissions_of(const Design& design, const Needs& needs) {
+    std::vector<Omission> omissions;
     auto leave_out = [&](Part part, const char* what, std::string why) {
-        plan.omissions.push_back({part, what, std::move(why)});
+        omissions.push_back({part, what, std::move(why)});
     };
-    switch (plan.symmetry.symmetry) {
+    switch (needs.symmetry.symmetry) {
         case Symmetry::isotropic:
             leave_out(Part::symmetric_nodes, "azimuth of every table", "p depends on theta alone");
             break;
@@ -32,10 +54,10 @@ void list_omissions(const Design& design, BakePlan& plan) {
         case Symmetry::none:
             break;
     }
-    if (!plan.albedo) leave_out(Part::albedo, "albedo tables R0 and R1", "no diffuse term or light reads R");
-    if (plan.albedo && plan.fresnel_tables == 0)
+    if (!needs.albedo) leave_out(Part::albedo, "albedo tables R0 and R1", "no diffuse term or light reads R");
+    if (needs.albedo && needs.fresnel_tables == 0)
         leave_out(Part::fresnel_table, "Fresnel albedo table", "F = 1");
-    if (plan.fresnel_tables == 1)
+    if (needs.fresnel_tables == 1)
         leave_out(Part::fresnel_colours, "Fresnel albedo for each colour", "Schlick's R is linear in f0");
     if (!uses_picture(design)) leave_out(Part::pictures, "pictures", "no layer is painted or modulated");
     if (fresnel_tables(design.fresnel) == FresnelTables::none)
@@ -45,31 +67,7 @@ void list_omissions(const Design& design, BakePlan& plan) {
             leave_out(Part::masking, part, fmt::format("masking is {}", kind_name(design.shadowing.model)));
     if (std::holds_alternative<NoDiffuse>(design.diffuse))
         leave_out(Part::diffuse, "diffuse term", "the design has none");
-}
-
-}  // namespace
-
-BakePlan plan_bake(const Design& design, const PlanOptions& options) {
-    BakePlan plan;
-    plan.symmetry = find_symmetry(design.distribution);
-    if (options.symmetry) plan.symmetry.symmetry = std::max(plan.symmetry.symmetry, *options.symmetry);
-    plan.quality = options.quality;
-    plan.albedo = options.albedo || reads_albedo(design.diffuse);
-    if (plan.albedo) {
-        switch (fresnel_tables(design.fresnel)) {
-            case FresnelTables::none:
-                break;
-            case FresnelTables::linear:
-                plan.fresnel_tables = 1;
-                break;
-            case FresnelTables::exact:
-                plan.fresnel_tables = 3;
-                break;
-        }
-    }
-    plan.nodes = options.size ? *options.size : first_size(plan.symmetry.symmetry, options.quality);
-    list_omissions(design, plan);
-    return plan;
+    return omissions;
 }
 
 }  // namespace nacre

@@ -1,0 +1,50 @@
+// What a design needs of the bake, and what it can do without: asked by the bake, the reference, `info` and
+// `eval` alike. What the shader holds follows from the tables that come of it (shading/shader_variant.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/bake/symmetry.h"
+#include "core/design/design.h"
+
+namespace nacre {
+
+struct Needs {
+    DistributionSymmetry symmetry;
+    bool albedo = false;     // R(k) with F = 1, and with the design's Fresnel factor
+    int fresnel_tables = 0;  // of R. 0: F = 1 alone; 1: Schlick's weight; 3: exact, a colour each
+
+    bool operator==(const Needs&) const = default;
+};
+
+struct MoreNeeds {
+    bool albedo = false;  // R is wanted even if no diffuse term reads it (ambient light, the `tables` verb)
+    std::optional<Symmetry> symmetry = {};  // use no more of it than this, though p has more
+};
+
+Needs needs_of(const Design& design, const MoreNeeds& more = {});
+
+// What a bake or a shader can do without.
+enum class Part {
+    symmetric_nodes,  // of every table
+    albedo,
+    fresnel_table,
+    fresnel_colours,  // a Fresnel table for each
+    pictures,
+    fresnel,
+    masking,  // of another model
+    diffuse
+};
+
+struct Omission {
+    Part part;
+    std::string what;
+    std::string why;
+};
+
+// What the design does not need, `needs` being what it needs.
+std::vector<Omission> omissions_of(const Design& design, const Needs& needs);
+
+}  // namespace nacre
