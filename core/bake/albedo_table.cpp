@@ -149,6 +149,7 @@ void AlbedoTable::search(double enough, Search how, AxisError& error, std::vecto
                          std::max(cells.count() / (thorough ? thorough_cells_each : cells_each), cells_least),
                          thorough || cells.count() > rules_.most_probes());
     search.look_at(layer_points(workers));
+    if (thorough) search.look_at(cells.beside_horizon());
     search.know(points_, errors_);
     if (search.worst() > enough) search.climb(thorough ? thorough_climbs : climbs);
     search.add_to(error);

@@ -24,17 +24,6 @@ constexpr int grazing_samples = 96;
 // thorough one looks into every cell.
 constexpr int cells_each = 24, cells_least = 8, climbs = 6, thorough_climbs = 32;
 
-// The last cell of each row, on the row and between rows: what bends near the horizon stands at no usual
-// place.
-std::vector<TablePoint> places_beside_horizon(const TableCells& cells) {
-    std::vector<TablePoint> points;
-    const int last = cells.flat() ? 0 : 2 * cells.rows() - (cells.closed() ? 1 : 0);
-    for (int half = 0; half <= last; ++half)
-        for (const double beside : {0.2, 0.1, 0.05, 0.02, 0.01, 0.003})
-            points.push_back({cells.columns() - beside, 0.5 * half, TablePlace::centre});
-    return points;
-}
-
 }  // namespace
 
 AreaTable::AreaTable(std::shared_ptr<const FacetDistribution> distribution,
@@ -199,7 +188,7 @@ void AreaTable::search(const Shading<double>& material, double enough, Search ho
     search.look_at_bends(cell_bends(nodes_, grid_->symmetry(), data_.data(), node_weights(shading)),
                          thorough ? cells.count() : std::max(cells.count() / cells_each, cells_least),
                          thorough || !all_measured());
-    if (thorough) search.look_at(places_beside_horizon(cells));
+    if (thorough) search.look_at(cells.beside_horizon());
     std::vector<TablePoint> points;
     std::vector<double> errors;
     for (std::size_t i = node_count(); i < samples_->size(); ++i) {

@@ -60,6 +60,15 @@ std::vector<TablePoint> TableCells::grazing(int count) const {
     return points;
 }
 
+std::vector<TablePoint> TableCells::beside_horizon() const {
+    std::vector<TablePoint> points;
+    const int last = flat() ? 0 : 2 * rows_ - (closed() ? 1 : 0);
+    for (int half = 0; half <= last; ++half)
+        for (const double beside : {0.2, 0.1, 0.05, 0.02, 0.01, 0.003})
+            points.push_back({columns_ - beside, 0.5 * half, TablePlace::centre});
+    return points;
+}
+
 std::vector<int> TableCells::cells_round(const TablePoint& point) const {
     std::vector<int> cells;
     for (int down = -1; down <= 1; ++down)

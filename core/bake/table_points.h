@@ -45,6 +45,10 @@ class TableCells {
     // So many within the last cell before the horizon, which may hold a layer thinner than itself.
     std::vector<TablePoint> grazing(int count) const;
 
+    // A comb within the last cell of each row, on the row and half way to the next: what bends beside the
+    // horizon stands at no usual place.
+    std::vector<TablePoint> beside_horizon() const;
+
     // The cell that holds `point` and those that touch it.
     std::vector<int> cells_round(const TablePoint& point) const;
 

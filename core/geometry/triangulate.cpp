@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/corner_tree.h"
+#include "core/geometry/polygon_sweep.h"
 
 namespace nacre {
 namespace {
@@ -76,6 +77,9 @@ constexpr std::size_t rules = 4;
 
 constexpr int touching_max = 64;  // corners on the edge of one triangle whose neighbours are looked at
 
+// So many times n log n steps are spent on looking for ears.
+constexpr double patience = 8;
+
 class EarCutter {
   public:
     explicit EarCutter(std::vector<glm::dvec2> flat);
@@ -100,6 +104,7 @@ class EarCutter {
     void ask(std::size_t i, std::size_t rule);
     void look_again(std::size_t i);
     void cut_off(std::size_t i);
+    bool sweep_rest();
 
     std::vector<glm::dvec2> flat_;
     std::vector<std::size_t> before_, after_;
@@ -109,6 +114,7 @@ class EarCutter {
     CornerTree in_the_way_;  // corners that are not convex
     std::vector<Triangle> triangles_;
     std::size_t steps_ = 0;
+    bool patient_ = true;
 };
 
 EarCutter::EarCutter(std::vector<glm::dvec2> flat)
@@ -153,6 +159,7 @@ bool EarCutter::fulfils(std::size_t i, Rule rule) {
     if (rule == Rule::ear && encloses_nothing(i)) return true;
     if (!(turn_at(i) > 0)) return false;
     if (rule == Rule::convex) return true;
+    if (!patient_) return false;
     const std::size_t a = before_[i], c = after_[i];
     const std::array<glm::dvec2, 3> triangle{flat_[a], flat_[i], flat_[c]};
     if (rule == Rule::touching) return !in_the_way_.any_in(triangle, false, [](std::size_t) { return true; });
@@ -187,9 +194,20 @@ void EarCutter::cut_off(std::size_t i) {
     look_again(a);
 }
 
+// What is left of a polygon of many spikes. One that crosses itself is cut at any corner that is convex.
+bool EarCutter::sweep_rest() {
+    patient_ = false;
+    std::vector<std::size_t> corners;
+    for (std::size_t i = 0; i < flat_.size(); ++i)
+        if (entry_[i] != 0) corners.push_back(i);
+    return sweep_polygon(flat_, corners, triangles_, steps_);
+}
+
 bool EarCutter::cut() {
     bool clean = true;
+    const double n = static_cast<double>(flat_.size()), most_steps = patience * n * std::log2(n);
     while (left_ > 3) {
+        if (patient_ && static_cast<double>(steps()) > most_steps && sweep_rest()) return clean;
         std::size_t rule = 0;
         while (queues_[rule].next == queues_[rule].corners.size()) ++rule;
         Queue& queue = queues_[rule];

@@ -60,7 +60,7 @@ class ClaimsBench {
         const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
         const TableSize& nodes = tables->size;
         const HeldOutError g = held_out_area(*tables, area_directions_),
-                           R = held_out_albedo(*tables, albedo_directions_);
+                           R = held_out_albedo(design, *tables, albedo_directions_);
         area_.add(tables->errors.area, tables->tolerance, g);
         albedo_.add(tables->errors.albedo, tables->tolerance, R);
         seconds_ += seconds;

@@ -21,7 +21,9 @@ struct HeldOutError {
 // Of the tables' g against p itself.
 HeldOutError held_out_area(const Tables& tables, const std::vector<dvec3>& directions);
 
-// Of the tables' R against the bake's quadrature at a fortieth of the tolerance.
-HeldOutError held_out_albedo(const Tables& tables, const std::vector<dvec3>& directions);
+// Of the tables' R: the bake's quadrature at a fortieth of the tolerance says where it may be worst, adaptive
+// integration what it is there.
+HeldOutError held_out_albedo(const Design& design, const Tables& tables,
+                             const std::vector<dvec3>& directions);
 
 }  // namespace nacre::test

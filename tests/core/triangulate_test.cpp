@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <numbers>
 #include <random>
 #include <set>
-#include <string>
+
+#include "tests/core/polygon_shapes.h"
 
 using namespace nacre;
+using namespace nacre::test;
 
 namespace {
 
@@ -52,66 +52,6 @@ void check_covered(const Polygon& polygon) {
     }
     CHECK(sum == doctest::Approx(area).epsilon(1e-9));
     CHECK(least >= -1e-12 * area);
-}
-
-std::vector<glm::dvec2> circle(int n) {
-    std::vector<glm::dvec2> p;
-    for (int i = 0; i < n; ++i)
-        p.emplace_back(std::cos(2 * std::numbers::pi * i / n), std::sin(2 * std::numbers::pi * i / n));
-    return p;
-}
-
-// Long thin points.
-std::vector<glm::dvec2> star(int n) {
-    std::vector<glm::dvec2> p = circle(n);
-    for (std::size_t i = 0; i < p.size(); i += 2) p[i] *= 0.2;
-    return p;
-}
-
-std::vector<glm::dvec2> comb(int n) {
-    std::vector<glm::dvec2> p;
-    for (int i = 0; i < n; ++i) p.emplace_back(i, i % 2 ? 0 : n);
-    p.emplace_back(n, -1);
-    p.emplace_back(-1, -1);
-    return p;
-}
-
-// A band that winds inward, and comes back along itself.
-std::vector<glm::dvec2> spiral(int n) {
-    std::vector<glm::dvec2> p;
-    const int half = n / 2;
-    const auto at = [&](int i, double r) {
-        const double turn = 2 * std::numbers::pi * 8 * i / half;
-        p.emplace_back((r + 1.0 - 0.9 * i / half) * std::cos(turn),
-                       (r + 1.0 - 0.9 * i / half) * std::sin(turn));
-    };
-    for (int i = 0; i < half; ++i) at(i, 0.02);
-    for (int i = half - 1; i >= 0; --i) at(i, 0);
-    return p;
-}
-
-std::vector<glm::dvec2> ragged(int n, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> radius(0.05, 1);
-    std::vector<glm::dvec2> p = circle(n);
-    for (glm::dvec2& corner : p) corner *= radius(random);
-    return p;
-}
-
-// Each edge of Koch's curve is four of the next.
-std::vector<glm::dvec2> snowflake(int depth) {
-    std::vector<glm::dvec2> p = circle(3);
-    for (; depth > 0; --depth) {
-        std::vector<glm::dvec2> finer;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            const glm::dvec2 a = p[i], third = (p[(i + 1) % p.size()] - a) / 3.0;
-            const glm::dvec2 outward(third.y, -third.x);
-            finer.insert(finer.end(),
-                         {a, a + third, a + 1.5 * third + std::sqrt(0.75) * outward, a + 2.0 * third});
-        }
-        p = finer;
-    }
-    return p;
 }
 
 }  // namespace
@@ -162,31 +102,19 @@ TEST_CASE("triangulate: corners on a straight line leave no slivers") {
 }
 
 TEST_CASE("triangulate: holes that are reached by an edge gone both ways stay open") {
-    // A plate with square holes, which turn the other way: each joined to the one before, the first to a
-    // corner of the plate. Every joining edge stands twice.
     for (const int holes : {1, 2, 3, 10, 100}) {
-        const double breadth = 3 * holes + 1, height = holes + 3;
-        const auto corner = [&](int hole) { return glm::dvec2(3 * hole + 1, holes - hole); };
-        std::vector<glm::dvec2> p{{0, 0}, {breadth, 0}, {breadth, height}, {0, height}, {0, 0}};
-        for (int i = 0; i < holes; ++i)
-            for (const glm::dvec2 to : {glm::dvec2(0, 0), {0, 1}, {1, 1}, {1, 0}, {0, 0}})
-                p.push_back(corner(i) + to);
-        for (int i = holes - 2; i >= 0; --i) p.push_back(corner(i));
         CAPTURE(holes);
         Polygon polygon;
-        for (const glm::dvec2 at : p) polygon.emplace_back(at.x, 0.6 * at.y, 0.8 * at.y);
-        CHECK(glm::length(area_vector(polygon)) == doctest::Approx(breadth * height - holes));
+        for (const glm::dvec2 at : plate(holes)) polygon.emplace_back(at.x, 0.6 * at.y, 0.8 * at.y);
+        CHECK(glm::length(area_vector(polygon)) == doctest::Approx((3 * holes + 1) * (holes + 3) - holes));
         check_covered(polygon);
     }
 }
 
 TEST_CASE("triangulate: petals that share one corner") {
-    for (const int petals : {2, 3, 7, 100, 1000}) {
-        const std::vector<glm::dvec2> rim = circle(2 * petals);
-        std::vector<glm::dvec2> p;
-        for (std::size_t i = 0; i < rim.size(); i += 2) p.insert(p.end(), {{0, 0}, rim[i], rim[i + 1]});
-        CAPTURE(petals);
-        check_covered(in_space(p));
+    for (const int count : {2, 3, 7, 100, 1000}) {
+        CAPTURE(count);
+        check_covered(in_space(petals(count)));
     }
 }
 
@@ -228,43 +156,29 @@ TEST_CASE("triangulate: what crosses itself or has no area is cut into some tria
     CHECK(triangulated(Polygon{{0, 0, 0}, {1, 0, 0}}).empty());
 }
 
-TEST_CASE("triangulate: the steps grow as n log n, with long thin spikes as n^1.5") {
-    const std::vector<std::pair<std::string, std::function<std::vector<glm::dvec2>(int)>>> kinds = {
-        {"circle", circle},
-        {"star", star},
-        {"comb", [](int n) { return comb(n + 1); }},
-        {"spiral", spiral},
-        {"ragged", [](int n) { return ragged(n, 1); }},
-        {"snowflake", [](int n) { return snowflake(n > 10000 ? 7 : 5); }},
-        {"straight",
-         [](int n) { return std::vector<glm::dvec2>(static_cast<std::size_t>(n), glm::dvec2(1)); }},
-        {"petals",
-         [](int n) {
-             std::vector<glm::dvec2> p = circle(n);
-             for (std::size_t i = 0; i < p.size(); i += 3) p[i] = {0, 0};
-             return p;
-         }},
-        {"crossing", [](int n) {
-             std::vector<glm::dvec2> p = circle(n);
-             std::shuffle(p.begin(), p.end(), std::mt19937(1));
-             return p;
-         }}};
-    for (const auto& kind : kinds) {
-        const std::string name = kind.first;
-        const auto& shape = kind.second;
-        std::size_t few = 0, many = 0;
-        const Polygon small = in_space(shape(3000)), large = in_space(shape(48000));
-        triangulated(small, &few);
-        triangulated(large, &many);
-        CAPTURE(name);
-        CAPTURE(few);
-        CAPTURE(many);
-        // Of 16 times as many corners: n log n is 22 times as many steps, n^1.5 64, n^2 256.
-        const double allowed = name == "comb" || name == "ragged" ? 100 : 32;
-        const auto growth = [](std::size_t now, std::size_t before) {
-            return static_cast<double>(now) / static_cast<double>(before);
-        };
-        CHECK(growth(many, few) < allowed * growth(large.size(), small.size()) / 16);
-        CHECK(static_cast<double>(many) < 64 * static_cast<double>(large.size()) * std::log2(large.size()));
+TEST_CASE("triangulate: the steps grow as n log n, with long thin spikes too") {
+    for (const PolygonShape& shape : polygon_shapes()) {
+        CAPTURE(shape.name);
+        for (const int n : {300, 3000, 48000}) {
+            const Polygon polygon = in_space(shape.make(n));
+            std::size_t steps = 0;
+            triangulated(polygon, &steps);
+            CHECK(static_cast<double>(steps) < 10 * n_log_n(polygon.size()));
+        }
+    }
+}
+
+TEST_CASE("triangulate: what crosses itself or has no area takes no more than twice as many steps") {
+    std::size_t none = 0;
+    CHECK(triangulated(Polygon(48000, glm::dvec3(1)), &none).size() == 47998);
+    CHECK(static_cast<double>(none) < 20 * n_log_n(48000));
+    for (const PolygonShape& shape : polygon_shapes()) {
+        CAPTURE(shape.name);
+        Polygon polygon = in_space(shape.make(48000));
+        std::shuffle(polygon.begin() + static_cast<std::ptrdiff_t>(polygon.size() / 2), polygon.end(),
+                     std::mt19937(1));
+        std::size_t steps = 0;
+        CHECK(triangulated(polygon, &steps).size() == polygon.size() - 2);
+        CHECK(static_cast<double>(steps) < 20 * n_log_n(polygon.size()));
     }
 }
