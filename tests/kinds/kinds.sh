@@ -1,8 +1,8 @@
 #!/bin/bash
 # kinds.sh SOURCE FOLDER: a kind is one file (two with GLSL) and one line in a list. In a copy of the tree a lobe, a
-# Fresnel, a masking and a diffuse model, a verb, an export format, an environment and an object are added just so; all
-# of it must build, and each work in whatever follows from the lists: files, checks, fields, bake, preview against
-# core, manifest, exports.
+# Fresnel, a masking and a diffuse model, a verb, an export format, an environment, an object and a command are added
+# just so; all of it must build, and each work in whatever follows from the lists: files, checks, fields, bake, preview
+# against core, manifest, exports, menus, keys.
 set -euo pipefail
 source=$(realpath "$1") folder=$2
 more=$source/tests/kinds/more
@@ -50,6 +50,10 @@ echo 'object ring:'
 add ring.cpp app/preview/objects/ring.cpp
 line app/preview/object_list.inc 'OBJECT(ring)'
 
+echo 'command rename:'
+add rename.cpp app/designer/commands/rename.cpp
+line app/designer/command_list.inc 'COMMAND(rename)'
+
 cd "$tree"
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 cmake --preset release -DNACRE_TESTS=ON -DNACRE_BENCH=OFF >/dev/null
@@ -85,6 +89,14 @@ has constants.txt '^N '
 $bin/nacre-cli count design.nacre | grep -qx 2
 $bin/nacre-cli render design.nacre -o picture.png --size 64x64
 $bin/nacre-cli render design.nacre -o lit.png --size 64x64 --environment halves --object ring
+# In its menu, and by its key.
+printf '%s\n' 'click "Edit"' 'click "Rename"' 'key Ctrl+S' 'frames 5' >menu.events
+printf '%s\n' 'key F8' 'key Ctrl+S' 'frames 5' >key.events
+for events in menu key; do
+    cp design.nacre $events.nacre
+    $bin/nacre-cli screenshot $events.nacre -o $events.png --script $events.events
+    has $events.nacre '"name": "Renamed"'
+done
 # What follows from the lists: random designs through the file, the panels, GLSL of every kind, preview against core.
 # tests PROGRAM FILTER: a filter that matches nothing fails.
 tests() {
