@@ -1,5 +1,4 @@
-// What a menu, a shortcut or a button asks the program to do: one list for the menus, the shortcuts, the
-// sheet of shortcuts and the manual.
+// Commands as the menus, the shortcuts and the sheet of shortcuts show them. What they do is not known here.
 #pragma once
 
 #include <cstddef>
@@ -10,65 +9,44 @@
 
 namespace nacre::ui {
 
-enum class Command {
-    new_design,
-    open,
-    open_recent,  // Order::which of the list
-    clear_recent,
-    save,
-    save_as,
-    export_design,
-    take_picture,
-    picture_folder,
-    system_dialogs,
-    recover,
-    quit,
-    undo,
-    redo,
-    show_panels,
-    full_screen,
-    reset_camera,
-    show_shortcuts,
-    brush_smaller,
-    brush_larger,
-    erase,
-    choose_layer  // Order::which of them, from 0
+struct CommandInfo {
+    // That it stands in, "File/Open recent" in a menu within a menu; a group of the sheet alone where `label`
+    // is null.
+    const char* menu;
+    const char* label;           // in the menu
+    const char* keys;            // as parse_key() reads them, or null, or nine_digits; a sign is typed
+    const char* also = nullptr;  // other keys
+    const char* about;  // one line for tooltip, sheet and manual; null where its choices have their own
+    bool begins_group = false;  // a line above it in the menu
+    bool repeats = false;       // goes on while its keys are held
 };
 
-// A command, and which of several where it has them.
+// Each of them is a choice of its own.
+inline constexpr const char* nine_digits = "1-9";
+
+using CommandInfos = std::span<const CommandInfo* const>;
+
+// A place in the list of commands, and which of its choices where it has several.
 struct Order {
-    Command command;
+    std::size_t command;
     std::size_t which = 0;
-    Order(Command given, std::size_t index = 0) : command(given), which(index) {}
     bool operator==(const Order&) const = default;
 };
 
-struct CommandInfo {
-    Command command;
-    const char* menu;   // that it stands in; a group of the sheet alone where `label` is null
-    const char* label;  // in the menu
-    const char* keys;   // as parse_key() reads them, or null; "1-9" for nine of them; a sign is typed
-    const char* also;   // other keys, or null
-    const char* about;  // one line for tooltip, sheet and manual
-    bool begins_group;  // a line above it in the menu
+struct CommandChoice {
+    std::string label, about;
 };
 
-std::span<const CommandInfo> all_commands();
-
-struct MenuState {
-    bool can_undo = false;
-    bool can_redo = false;
-    std::string title;                // shown at the right of the bar
-    std::vector<std::string> recent;  // paths, newest first
-    bool has_system_dialogs = false;  // the desktop has some
-    bool uses_system_dialogs = false;
-    bool can_recover = false;
-    bool panels = true;
-    bool full_screen = false;
+// A command as it is in this frame.
+struct CommandState {
+    const CommandInfo* info;
+    bool enabled = true;
+    bool checked = false;
+    std::optional<std::vector<CommandChoice>> choices = {};  // in place of the label
 };
 
-// Draws the main menu bar; its height is ImGui::GetFrameHeight().
-std::optional<Order> menu_bar(const MenuState& state);
+// Draws the main menu bar; its height is ImGui::GetFrameHeight(). `title` stands at its right.
+std::optional<Order> menu_bar(std::span<const CommandState> commands, const std::string& title);
 
 // To be called at the end of each frame: Tab goes to the next field only while one is being typed in, else it
 // is a shortcut.
@@ -76,6 +54,6 @@ void reserve_tab();
 
 // The command of a shortcut pressed in this frame; none while a text field has the keyboard, a mouse button
 // is down or something is popped up.
-std::optional<Order> pressed_shortcut();
+std::optional<Order> pressed_shortcut(CommandInfos commands);
 
 }  // namespace nacre::ui

@@ -13,51 +13,23 @@
 namespace nacre::ui {
 namespace {
 
-struct KindEntry {
-    PlotKind kind;
-    const char* label;
-    const char* tooltip;
-};
-
-constexpr KindEntry kinds[] = {
-    {PlotKind::albedo, "Albedo R##Plot albedo",
-     "How much of the light from one direction the highlight sends back in all: R(k), the integral of the "
-     "specular term (eq. 29). Shown for the material and for facets of f0 = 0 and 1. At 1 no light is lost."},
-    {PlotKind::masking, "Masking P##Plot masking",
-     "How much of the facets turned to a direction are seen from it, P(k) = (k.n) N / g(k) (eq. 25). Where "
-     "it "
-     "falls the surface shadows itself: the rim grows darker."},
-    {PlotKind::density, "Density p##Plot density",
-     "How many facets face each way, p(h): the form of the highlight itself."},
-    {PlotKind::fresnel, "Fresnel F##Plot fresnel",
-     "How much light one facet reflects, over the angle at which it is met."},
-    {PlotKind::lobe, "Lobe##Plot lobe",
-     "What leaves in the plane of incidence when light falls in along k1. Drag in the plot to move k1."},
-    {PlotKind::shape, "3-D lobe##Plot lobe3d",
-     "What leaves in every direction when light falls in along k1. Drag to turn it, the wheel zooms, a "
-     "double "
-     "click shows all."},
-    {PlotKind::slice, "Slice##Plot slice",
-     "The whole BRDF at a glance, over the angles of the half vector (along) and between light and half "
-     "vector (up): highlight at the left, Fresnel above, grazing light at the right, retro-reflection below "
-     "(Rusinkiewicz 1998; Burley 2012)."},
-};
+// What its button shows, and after ## its name.
+std::string label_of(PlotKind kind) { return std::string(info(kind).label) + "##Plot " + name_of(kind); }
 
 float padded(const char* text) { return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x; }
 
 float kinds_breadth() {
     float breadth = 0;
-    for (const KindEntry& entry : kinds)
-        breadth +=
-            padded(std::string(visible_text(entry.label)).c_str()) + ImGui::GetStyle().ItemInnerSpacing.x;
+    for (const PlotKind kind : plot_kinds)
+        breadth += padded(info(kind).label) + ImGui::GetStyle().ItemInnerSpacing.x;
     return breadth;
 }
 
 void kind_buttons(PlotsState& state) {
-    for (const KindEntry& entry : kinds) {
-        const bool chosen = state.settings.kind == entry.kind;
+    for (const PlotKind kind : plot_kinds) {
+        const bool chosen = state.settings.kind == kind;
         ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette::accent_dim : Colour{0, 0, 0, 0});
-        if (button(entry.label, entry.tooltip)) state.settings.kind = entry.kind;
+        if (button(label_of(kind).c_str(), info(kind).about)) state.settings.kind = kind;
         ImGui::PopStyleColor();
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     }
@@ -65,16 +37,16 @@ void kind_buttons(PlotsState& state) {
 
 // In place of the buttons where they have no room.
 void kind_menu(PlotsState& state, float breadth) {
-    const auto& chosen = kinds[static_cast<std::size_t>(state.settings.kind)];
+    const PlotInfo& chosen = info(state.settings.kind);
     ImGui::SetNextItemWidth(breadth);
-    const bool open = ImGui::BeginCombo("##Plot kind", std::string(visible_text(chosen.label)).c_str());
+    const bool open = ImGui::BeginCombo("##Plot kind", chosen.label);
     note_item("Plot kind");
-    tooltip_for_item(chosen.tooltip);
+    tooltip_for_item(chosen.about);
     if (open) {
-        for (const KindEntry& entry : kinds) {
-            if (ImGui::Selectable(entry.label, state.settings.kind == entry.kind))
-                state.settings.kind = entry.kind;
-            note_item(entry.label);
+        for (const PlotKind kind : plot_kinds) {
+            const std::string label = label_of(kind);
+            if (ImGui::Selectable(label.c_str(), state.settings.kind == kind)) state.settings.kind = kind;
+            note_item(label);
         }
         ImGui::EndCombo();
     }
@@ -106,17 +78,18 @@ bool header(PlotsState& state, bool has_plot) {
     return save;
 }
 
-void angle_row(const char* label, double low, double high, double reset, const char* about, double& value) {
-    slider({.label = label,
-            .low = low,
-            .high = high,
-            .least = low,
-            .most = high,
-            .reset = reset,
+void angle_row(const PlotAngle& angle, PlotSettings& settings) {
+    const std::string label = std::string(angle.label) + "##Plot " + angle.name;
+    slider({.label = label.c_str(),
+            .low = angle.low,
+            .high = angle.high,
+            .least = angle.low,
+            .most = angle.high,
+            .reset = PlotSettings{}.*angle.member,
             .format = "%.1f\u00b0",
             .logarithmic = false,
-            .tooltip = about},
-           value);
+            .tooltip = angle.about},
+           settings.*angle.member);
 }
 
 void term_row(Term& term) {
@@ -130,29 +103,12 @@ void term_row(Term& term) {
         term = all_terms()[static_cast<std::size_t>(index)].term;
 }
 
-bool has_settings(PlotKind kind) {
-    return kind == PlotKind::lobe || kind == PlotKind::shape || kind == PlotKind::slice;
-}
+bool has_settings(const PlotInfo& kind) { return kind.has_term || !kind.angles.empty(); }
 
 void settings_column(PlotSettings& settings) {
-    const PlotSettings usual;
-    term_row(settings.term);
-    if (settings.kind == PlotKind::slice) {
-        angle_row("\u03c6 of h##Plot azimuth", -180, 180, usual.azimuth,
-                  "Azimuth of the half vector: along which it leans from the normal.", settings.azimuth);
-        angle_row(
-            "\u03c6d##Plot turn", -180, 180, usual.turn,
-            "Azimuth of the light about the half vector: 90 is across its lean, where light and eye stand "
-            "above the horizon at every angle.",
-            settings.turn);
-    } else {
-        angle_row("Incidence##Plot incidence", 0, incidence_most, usual.incidence,
-                  "Angle of the light k1 from the normal. Dragging in the polar plot sets it too.",
-                  settings.incidence);
-        angle_row("Azimuth##Plot azimuth", -180, 180, usual.azimuth,
-                  "Toward which azimuth a mirror would send the light: the plane of incidence lies along it.",
-                  settings.azimuth);
-    }
+    const PlotInfo& kind = info(settings.kind);
+    if (kind.has_term) term_row(settings.term);
+    for (const PlotAngle& angle : kind.angles) angle_row(angle, settings);
 }
 
 }  // namespace
@@ -161,7 +117,7 @@ PlotsAnswer plots_panel(PlotsState& state, const PlotsContents& contents) {
     PlotsAnswer answer;
     answer.save = header(state, contents.plot != nullptr);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    if (has_settings(state.settings.kind)) {
+    if (has_settings(info(state.settings.kind))) {
         const float breadth = std::min(ImGui::GetFontSize() * 19, room.x * 0.4f);
         ImGui::BeginChild("plot settings", ImVec2(breadth, room.y));
         settings_column(state.settings);

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "ui/canvas_tools.h"
-#include "ui/commands.h"
 #include "ui/dialogs.h"
 #include "ui/escape.h"
 #include "ui/key_press.h"
@@ -67,10 +66,10 @@ void draw_group(const SheetGroup& shown) {
 
 }  // namespace
 
-std::vector<SheetGroup> shortcut_groups() {
+std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
     std::vector<SheetGroup> groups;
-    for (const CommandInfo& info : all_commands())
-        if (info.keys != nullptr) group(groups, info.menu).lines.push_back({keys_text(info), info.about});
+    for (const CommandInfo* info : commands)
+        if (info->keys != nullptr) group(groups, info->menu).lines.push_back({keys_text(*info), info->about});
     for (const ToolEntry& entry : canvas_tools())
         group(groups, "Tools")
             .lines.push_back({std::string(1, entry.key), std::string(entry.name) + ". " + entry.about});
@@ -78,12 +77,12 @@ std::vector<SheetGroup> shortcut_groups() {
     return groups;
 }
 
-bool shortcut_sheet() {
+bool shortcut_sheet(CommandInfos commands, const char* opened_by) {
     if (!begin_dialog("Shortcuts", 72)) return true;
     // The columns: what concerns the document, the canvas, the mouse.
     if (ImGui::BeginTable("groups", 3)) {
         ImGui::TableNextRow();
-        const std::vector<SheetGroup> groups = shortcut_groups();
+        const std::vector<SheetGroup> groups = shortcut_groups(commands);
         for (const SheetGroup& shown : groups) {
             if (shown.title == "File" || shown.title == "Canvas" || shown.title == "Mouse")
                 ImGui::TableNextColumn();
@@ -94,17 +93,17 @@ bool shortcut_sheet() {
     const float width = ImGui::GetFontSize() * 7;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     bool closed = button("Close", nullptr, true, width);
-    // The key that opened it is still down in its first frame.
+    // `opened_by` is still down in its first frame.
     if (!ImGui::IsWindowAppearing())
-        for (const char* key : {"Enter", "F1"}) closed |= is_pressed(*parse_key(key), false);
+        for (const char* key : {"Enter", opened_by}) closed |= is_pressed(*parse_key(key), false);
     closed |= take_escape();
     end_dialog(closed);
     return !closed;
 }
 
-std::string shortcuts_markdown() {
+std::string shortcuts_markdown(CommandInfos commands) {
     std::string text;
-    for (const SheetGroup& shown : shortcut_groups()) {
+    for (const SheetGroup& shown : shortcut_groups(commands)) {
         text += "| " + shown.title + " | |\n| --- | --- |\n";
         for (const SheetLine& line : shown.lines) text += "| " + line.keys + " | " + line.about + " |\n";
         text += "\n";

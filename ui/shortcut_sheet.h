@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/commands.h"
+
 namespace nacre::ui {
 
 struct SheetLine {
@@ -16,13 +18,13 @@ struct SheetGroup {
     std::vector<SheetLine> lines;
 };
 
-// From the list of commands and of the canvas's tools, and the mouse's part.
-std::vector<SheetGroup> shortcut_groups();
+// Of the commands and of the canvas's tools, and the mouse's part.
+std::vector<SheetGroup> shortcut_groups(CommandInfos commands);
 
-// Draws the sheet; false once it is closed.
-bool shortcut_sheet();
+// Draws the sheet; false once it is closed, which the key that opened it does too.
+bool shortcut_sheet(CommandInfos commands, const char* opened_by);
 
 // The same as tables of Markdown, for the manual.
-std::string shortcuts_markdown();
+std::string shortcuts_markdown(CommandInfos commands);
 
 }  // namespace nacre::ui

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
@@ -24,8 +26,26 @@ struct PlotOptions {
 
 std::vector<std::string> kind_names() {
     std::vector<std::string> names;
-    for (int i = 0; i < plot_kinds; ++i) names.emplace_back(name_of(static_cast<PlotKind>(i)));
+    for (const PlotKind kind : plot_kinds) names.emplace_back(name_of(kind));
     return names;
+}
+
+// "of lobe and slice": the kinds of which something holds.
+template <class Holds>
+std::string of_kinds(const Holds& holds) {
+    std::vector<std::string> names;
+    for (const PlotKind kind : plot_kinds)
+        if (holds(info(kind))) names.emplace_back(name_of(kind));
+    std::string text = "of " + names.front();
+    for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+    return text;
+}
+
+std::string of_kinds_with(double PlotSettings::*angle) {
+    return of_kinds([angle](const PlotInfo& kind) {
+        return std::any_of(kind.angles.begin(), kind.angles.end(),
+                           [angle](const PlotAngle& one) { return one.member == angle; });
+    });
 }
 
 int plot(PlotOptions options, Interrupt& interrupt) {
@@ -53,22 +73,30 @@ void declare(Command& command, Action& action) {
         .shows_default();
     command
         .option("--term", options->term,
-                fmt::format("of lobe, lobe3d and slice: {}", fmt::join(term_names(), ", ")))
+                fmt::format("{}: {}", of_kinds([](const PlotInfo& kind) { return kind.has_term; }),
+                            fmt::join(term_names(), ", ")))
         .one_of(term_names())
         .shows_default();
     command
-        .option("--theta", options->settings.incidence, "of lobe and lobe3d: the angle of k1 from the normal")
+        .option("--theta", options->settings.incidence,
+                of_kinds_with(&PlotSettings::incidence) + ": the angle of k1 from the normal")
         .within(0.0, incidence_most)
         .shows_default();
     command
         .option("--phi", options->settings.azimuth,
-                "the azimuth of the mirror direction (lobe, lobe3d) or of the half vector (slice)")
+                of_kinds_with(&PlotSettings::azimuth) +
+                    ": the azimuth of the mirror direction, or of the half vector for a slice")
         .within(-360.0, 360.0)
         .shows_default();
-    command.option("--phi-d", options->settings.turn, "of slice: the azimuth of the difference vector")
+    command
+        .option("--phi-d", options->settings.turn,
+                of_kinds_with(&PlotSettings::turn) + ": the azimuth of the difference vector")
         .within(-360.0, 360.0)
         .shows_default();
-    command.option("--scale", options->scale, "linear or log (default: log for slice, else linear)")
+    command
+        .option("--scale", options->scale,
+                fmt::format("linear or log (log is the default {}, else linear)",
+                            of_kinds([](const PlotInfo& kind) { return kind.logarithmic; })))
         .one_of({"linear", "log"});
     add_tolerance_option(command, options->bake);
     command.when_chosen([options, &action] {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/designer/command.h"
 #include "app/designer/dialogs_in_turn.h"
 #include "app/designer/perform.h"
 #include "app/designer/scene_panel.h"
@@ -201,8 +202,9 @@ void draw_all(Designer& designer) {
     // The first tables are baked while the rest of the first frame is drawn.
     if (!designer.preview.has_picture()) ask(designer);
     if (!talking(designer))
-        if (const auto order = ui::pressed_shortcut()) perform(designer, *order);
-    if (const auto order = ui::menu_bar(menu_state(designer))) perform(designer, *order);
+        if (const auto order = ui::pressed_shortcut(command_infos())) perform(designer, *order);
+    if (const auto order = ui::menu_bar(command_states(designer), document.title()))
+        perform(designer, *order);
 
     designer.canvas.state.marked = designer.preview.pointed_at();
     // The bake of what was painted runs while the canvas is drawn.

@@ -32,7 +32,6 @@
 #include "app/designer/thumbnails.h"
 #include "app/designer/user_folders.h"
 #include "app/preview/scene.h"
-#include "ui/commands.h"
 #include "ui/layers_panel.h"
 
 namespace nacre {
@@ -85,8 +84,6 @@ struct Designer {
 
 // Draws one frame and acts on its input. Never waits for the worker.
 void draw_frame(Designer& designer);
-
-void perform(Designer& designer, ui::Order order);
 
 // A file came from outside, by a drop or by the command line: a design is opened, with the question where
 // work would be lost; a picture asks what it is for.

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "app/designer/command.h"
 #include "ui/shortcut_sheet.h"
 
 namespace nacre {
@@ -28,7 +29,7 @@ void draw_dialogs(Designer& designer) {
     if (auto found = designer.recovery.draw())
         designer.files.restore(document, std::move(*found));
     else if (designer.sheet)
-        designer.sheet = ui::shortcut_sheet();
+        designer.sheet = ui::shortcut_sheet(command_infos(), show_shortcuts_command.info.keys);
     else if (designer.changed_pictures.talking())
         tell(designer, designer.changed_pictures.draw(document, designer.environment, designer.objects));
     else if (designer.exporter.talking())

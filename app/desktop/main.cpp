@@ -10,7 +10,7 @@
 #include <exception>
 #include <string>
 
-#include "app/designer/designer.h"
+#include "app/designer/command.h"
 #include "app/designer/imgui_session.h"
 #include "app/desktop/key_latch.h"
 #include "app/desktop/pace.h"
@@ -54,7 +54,7 @@ void run(const Arguments& arguments) {
             const bool noticed = window.wait(pace.wait(glfwGetTime(), moves));
             const bool due = pace.due(glfwGetTime(), noticed, ImGui::GetIO().WantTextInput);
             if (window.take_focus()) nacre::notice_focus(designer);
-            if (window.take_close_request()) nacre::perform(designer, nacre::ui::Command::quit);
+            if (window.take_close_request()) nacre::perform(designer, nacre::quit_command);
             if (!due) continue;
             session.set_scale(ui_scale(), window.pixels_a_unit());
             session.new_frame();

@@ -4,30 +4,8 @@
 #include <cmath>
 
 #include "core/plot/pair_plots.h"
-#include "core/plot/section_plots.h"
 
 namespace nacre {
-namespace {
-
-struct KindEntry {
-    PlotKind kind;
-    const char* name;
-    Plot (*make)(const Tables&, const PlotSettings&);
-};
-
-constexpr std::array<KindEntry, plot_kinds> entries = {{
-    {PlotKind::albedo, "albedo", albedo_plot},
-    {PlotKind::masking, "masking", masking_plot},
-    {PlotKind::density, "density", density_plot},
-    {PlotKind::fresnel, "fresnel", fresnel_plot},
-    {PlotKind::lobe, "lobe", lobe_plot},
-    {PlotKind::shape, "lobe3d", shape_plot},
-    {PlotKind::slice, "slice", slice_plot},
-}};
-
-const KindEntry& entry_of(PlotKind kind) { return entries[static_cast<std::size_t>(kind)]; }
-
-}  // namespace
 
 double CurvePlot::value(std::size_t of, double where) const {
     const std::vector<double>& values = series[of].values;
@@ -39,18 +17,42 @@ double CurvePlot::value(std::size_t of, double where) const {
     return std::lerp(values[i - 1], values[i], t);
 }
 
-bool needs_albedo(const PlotSettings& settings) { return settings.kind == PlotKind::albedo; }
+double SlicePlot::angle(int index) const { return std::min(index * 90.0 / (side - 1), horizon); }
+
+const PlotInfo& info(PlotKind kind) {
+    static constexpr std::array list{
+#define PLOT(name) &name##_plot,
+#include "core/plot/plot_list.inc"
+#undef PLOT
+    };
+    return *list[static_cast<std::size_t>(kind)];
+}
+
+PlotScales usual_scales() {
+    PlotScales scales{};
+    for (const PlotKind kind : plot_kinds) scales[static_cast<std::size_t>(kind)] = info(kind).logarithmic;
+    return scales;
+}
+
+bool needs_albedo(const PlotSettings& settings) { return info(settings.kind).needs_albedo; }
 
 std::optional<Plot> make_plot(const Tables& tables, const PlotSettings& settings) {
     if (needs_albedo(settings) && !tables.shading.kinds.albedo) return {};
-    return entry_of(settings.kind).make(tables, settings);
+    return info(settings.kind).make(tables, settings);
 }
 
-const char* name_of(PlotKind kind) { return entry_of(kind).name; }
+const char* name_of(PlotKind kind) {
+    static constexpr std::array names{
+#define PLOT(name) #name,
+#include "core/plot/plot_list.inc"
+#undef PLOT
+    };
+    return names[static_cast<std::size_t>(kind)];
+}
 
 std::optional<PlotKind> plot_kind(const std::string& name) {
-    for (const KindEntry& entry : entries)
-        if (entry.name == name) return entry.kind;
+    for (const PlotKind kind : plot_kinds)
+        if (name_of(kind) == name) return kind;
     return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,25 +14,32 @@
 
 namespace nacre {
 
+// One file for each, core/plot/kinds/NAME.cpp, and its line in plot_list.inc, which the command line and the
+// window follow.
 enum class PlotKind {
-    albedo,   // R over the angle from the normal
-    masking,  // P over the angle from the normal
-    density,  // p over the angle of the facet's normal
-    fresnel,  // F over the angle between a facet's normal and the light
-    lobe,     // a term over k2 in the plane of incidence, polar
-    shape,    // the same over all k2, as a shape in space
-    slice     // a term over the half vector's and the difference angle
+#define PLOT(name) name,
+#include "core/plot/plot_list.inc"
+#undef PLOT
 };
-inline constexpr int plot_kinds = 7;
 
-// Angles in degrees.
+inline constexpr PlotKind plot_kinds[] = {
+#define PLOT(name) PlotKind::name,
+#include "core/plot/plot_list.inc"
+#undef PLOT
+};
+
+// Of each kind, whether its scale is logarithmic.
+using PlotScales = std::array<bool, std::size(plot_kinds)>;
+PlotScales usual_scales();
+
+// What a kind does not read is without effect on it. Angles in degrees.
 struct PlotSettings {
     PlotKind kind = PlotKind::albedo;
-    Term term = Term::total;  // of lobe, shape and slice
-    double incidence = 45;    // of k1 from n; lobe and shape
-    double azimuth = 0;       // of the mirror direction (lobe and shape) or of h (slice)
-    double turn = 90;         // phi_d of the slice
-    std::array<bool, plot_kinds> logarithmic = {false, false, false, false, false, false, true};
+    Term term = Term::total;
+    double incidence = 45;  // of k1 from n
+    double azimuth = 0;     // of the mirror direction or of h
+    double turn = 90;       // phi_d
+    PlotScales logarithmic = usual_scales();
     int slice_side = 91;  // values along each side of a slice
 
     bool is_logarithmic() const { return logarithmic[static_cast<std::size_t>(kind)]; }
@@ -96,24 +104,37 @@ struct Plot {
     std::variant<CurvePlot, LobePlot, ShapePlot, SlicePlot> contents;
 };
 
-// Whether the tables must hold R.
+// An angle that a kind reads of the settings.
+struct PlotAngle {
+    double PlotSettings::*member;
+    const char* name;
+    const char* label;
+    double low, high;  // degrees
+    const char* about;
+};
+
+struct PlotInfo {
+    const char* label;  // on its button
+    const char* about;
+    bool needs_albedo = false;               // the tables must hold R
+    bool has_term = false;                   // it reads PlotSettings::term
+    std::span<const PlotAngle> angles = {};  // that it reads
+    bool logarithmic = false;                // until another scale is chosen
+    Plot (*make)(const Tables& tables, const PlotSettings& settings);
+};
+
+const PlotInfo& info(PlotKind kind);
+
+#define PLOT(name) extern const PlotInfo name##_plot;
+#include "core/plot/plot_list.inc"
+#undef PLOT
+
 bool needs_albedo(const PlotSettings& settings);
 
 // Nothing where the tables lack R and the plot needs it.
 std::optional<Plot> make_plot(const Tables& tables, const PlotSettings& settings);
 
-// The light's direction of a lobe or a shape.
-dvec3 incident_direction(const PlotSettings& settings);
-
-// Rusinkiewicz (1998): k1 and k2 of the angles of the half vector h and of the difference vector, which is k1
-// seen in the frame of h. theta_h = theta_d = 0 is the mirror at normal incidence; along theta_d at theta_h =
-// 0 runs the Fresnel peak, and the slice of phi_d = 90 degrees is the picture of Burley (2012, fig. 2).
-struct ReflectedPair {
-    dvec3 k1, k2;
-};
-ReflectedPair half_difference_pair(double theta_h, double phi_h, double theta_d, double phi_d);
-
-// "albedo", "masking", ... as the command line has them.
+// As the command line has them.
 const char* name_of(PlotKind kind);
 std::optional<PlotKind> plot_kind(const std::string& name);
 

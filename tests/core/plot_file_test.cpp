@@ -74,10 +74,10 @@ TEST_CASE("what stands under the pointer is what the plot holds there") {
     } pen;
     const auto tables = baked(coloured(two_sided()));
     const PlotBox box{{10, 20}, {700, 260}};
-    for (int kind = 0; kind < plot_kinds; ++kind) {
-        const Plot plot = *make_plot(*tables, settings_of(static_cast<PlotKind>(kind)));
+    for (const PlotKind kind : plot_kinds) {
+        const Plot plot = *make_plot(*tables, settings_of(kind));
         const PlotLayout layout = layout_plot(plot, box, pen);
-        CAPTURE(kind);
+        CAPTURE(name_of(kind));
         CHECK(box.holds(layout.area.low));
         CHECK(box.holds(layout.area.high));
         CHECK(box.holds(layout.legend.high));

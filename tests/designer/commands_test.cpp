@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "app/designer/command.h"
 #include "core/design/design_file.h"
 #include "core/formats/export_format.h"
 #include "core/image/picture.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
+#include "ui/key_press.h"
 #include "ui/shortcut_sheet.h"
 
 using namespace nacre;
@@ -49,7 +51,7 @@ TEST_CASE("commands: F1 shows every shortcut once, and closes") {
     r.play("key F1\nframes 3");
     CHECK(!r.designer().sheet);
     std::vector<std::string> keys;
-    for (const ui::SheetGroup& group : ui::shortcut_groups())
+    for (const ui::SheetGroup& group : ui::shortcut_groups(command_infos()))
         if (group.title != "Mouse")
             for (const ui::SheetLine& line : group.lines) keys.push_back(line.keys);
     const std::size_t all = keys.size();
@@ -60,7 +62,31 @@ TEST_CASE("commands: F1 shows every shortcut once, and closes") {
 
 TEST_CASE("commands: the manual shows the list of shortcuts as it is") {
     const std::string manual = read_all(NACRE_SOURCE_DIR "/docs/document.md");
-    CHECK_MESSAGE(manual.find(ui::shortcuts_markdown()) != std::string::npos, ui::shortcuts_markdown());
+    const std::string shortcuts = ui::shortcuts_markdown(command_infos());
+    CHECK_MESSAGE(manual.find(shortcuts) != std::string::npos, shortcuts);
+}
+
+TEST_CASE("commands: each can be reached, and its keys are ones that there are") {
+    for (const Command* command : commands()) {
+        const ui::CommandInfo& info = command->info;
+        CAPTURE(info.about);
+        CHECK((info.label != nullptr || info.keys != nullptr));
+        CHECK((info.about != nullptr || command->choices != nullptr));
+        for (const char* keys : {info.keys, info.also})
+            if (keys != nullptr && keys != std::string(ui::nine_digits)) CHECK(ui::parse_key(keys));
+    }
+}
+
+TEST_CASE("commands: one that is disabled does nothing, by key neither") {
+    Rig r;
+    REQUIRE(!recover_command.enabled(r.designer()));
+    const std::string message = r.designer().files.message();
+    perform(r.designer(), recover_command);
+    CHECK(r.designer().files.message() == message);
+    REQUIRE(!redo_command.enabled(r.designer()));
+    const Design design = r.document().design;
+    r.play("key Ctrl+Y");
+    CHECK(r.document().design == design);
 }
 
 TEST_CASE("commands: F12 asks once for a folder and then numbers its pictures") {
@@ -130,11 +156,37 @@ TEST_CASE("commands: recent files open, and what is gone leaves the list") {
     Rig r;
     r.designer().recent.note(folder / "gone.nacre");
     r.designer().recent.note(folder / "kept.nacre");
-    perform(r.designer(), {ui::Command::open_recent, 0});
+    perform(r.designer(), open_recent_command, 0);
     CHECK(r.document().design == design);
-    perform(r.designer(), {ui::Command::open_recent, 1});
+    perform(r.designer(), open_recent_command, 1);
     CHECK(r.designer().files.talking());
     CHECK(r.designer().recent.files() == std::vector<fs::path>{folder / "kept.nacre"});
+}
+
+TEST_CASE("commands: the menus hold the list, and one within another where any of it can be chosen") {
+    const TemporaryFolder folder;
+    Rig r;
+    const auto shown = [&](const char* item) { return r.stage.items().rectangle(item).has_value(); };
+    for (const char* menu : {"File", "Edit", "View", "Help"}) {
+        r.play("click \"" + std::string(menu) + "\"\nframes 3");
+        for (const Command* command : commands())
+            if (command->info.label != nullptr && command->choices == nullptr)
+                CHECK(shown(command->info.label) == (std::string(command->info.menu) == menu));
+        r.play("key Escape\nframes 30");
+    }
+    r.play("click \"File\"\nframes 3\nclick \"Open recent\"\nframes 3");
+    CHECK(!shown("Clear the list"));
+    r.play("key Escape\nframes 30");
+    Design design = starter_design();
+    for (const char* name : {"a", "b"}) {
+        design.name = name;
+        save_design(design, folder / (std::string(name) + ".nacre"));
+        r.designer().recent.note(folder / (std::string(name) + ".nacre"));
+    }
+    r.play("click \"File\"\nframes 3\nmove \"Open recent\"\nframes 30\nclick \"Recent 2\"\nframes 5");
+    CHECK(r.document().design.name == "a");
+    r.play("click \"File\"\nframes 3\nmove \"Open recent\"\nframes 30\nclick \"Clear the list\"\nframes 5");
+    CHECK(r.designer().recent.files().empty());
 }
 
 TEST_CASE("commands: a dropped design opens, with the question where work would be lost") {

@@ -1,8 +1,8 @@
 #!/bin/bash
 # kinds.sh SOURCE FOLDER: a kind is one file (two with GLSL) and one line in a list. In a copy of the tree a lobe, a
-# Fresnel, a masking and a diffuse model, a verb, an export format, an environment and an object are added just so; all
-# of it must build, and each work in whatever follows from the lists: files, checks, fields, bake, preview against
-# core, manifest, exports.
+# Fresnel, a masking and a diffuse model, a verb, an export format, an environment, an object, a command and a plot are
+# added just so; all of it must build, and each work in whatever follows from the lists: files, checks, fields, bake,
+# preview against core, manifest, exports, menus, keys.
 set -euo pipefail
 source=$(realpath "$1") folder=$2
 more=$source/tests/kinds/more
@@ -50,6 +50,14 @@ echo 'object ring:'
 add ring.cpp app/preview/objects/ring.cpp
 line app/preview/object_list.inc 'OBJECT(ring)'
 
+echo 'command rename:'
+add rename.cpp app/designer/commands/rename.cpp
+line app/designer/command_list.inc 'COMMAND(rename)'
+
+echo 'plot seen:'
+add seen.cpp core/plot/kinds/seen.cpp
+line core/plot/plot_list.inc 'PLOT(seen)'
+
 cd "$tree"
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 cmake --preset release -DNACRE_TESTS=ON -DNACRE_BENCH=OFF >/dev/null
@@ -85,6 +93,17 @@ has constants.txt '^N '
 $bin/nacre-cli count design.nacre | grep -qx 2
 $bin/nacre-cli render design.nacre -o picture.png --size 64x64
 $bin/nacre-cli render design.nacre -o lit.png --size 64x64 --environment halves --object ring
+$bin/nacre-cli plot design.nacre --what seen -o seen.csv
+printf '%s\n' 'click "Plots"' 'click "Plot seen"' 'frames 5' >plot.events
+$bin/nacre-cli screenshot design.nacre -o plot.png --script plot.events
+# In its menu, and by its key.
+printf '%s\n' 'click "Edit"' 'click "Rename"' 'key Ctrl+S' 'frames 5' >menu.events
+printf '%s\n' 'key F8' 'key Ctrl+S' 'frames 5' >key.events
+for events in menu key; do
+    cp design.nacre $events.nacre
+    $bin/nacre-cli screenshot $events.nacre -o $events.png --script $events.events
+    has $events.nacre '"name": "Renamed"'
+done
 # What follows from the lists: random designs through the file, the panels, GLSL of every kind, preview against core.
 # tests PROGRAM FILTER: a filter that matches nothing fails.
 tests() {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/ui/panel_rig.h"
-#include "ui/commands.h"
+#include "tests/ui/some_commands.h"
 #include "ui/key_press.h"
 #include "ui/keys.h"
 
@@ -39,10 +39,9 @@ TEST_CASE("keys: the row of digits stays theirs where it needs Shift for them") 
 TEST_CASE("keys: signs are what is typed, with whatever keys") {
     std::vector<ui::Order> pressed;
     PanelRig rig([&] {
-        if (const auto command = ui::pressed_shortcut()) pressed.push_back(*command);
+        if (const auto command = ui::pressed_shortcut(some_commands::infos())) pressed.push_back(*command);
     });
     ImGuiIO& io = ImGui::GetIO();
-    using enum ui::Command;
     const auto with = [&](bool shift, bool alt, int key, const char* text) {
         rig.hold(false, shift, alt);
         ui::tell_key(io, key, true);
@@ -59,9 +58,9 @@ TEST_CASE("keys: signs are what is typed, with whatever keys") {
     with(true, false, '3', "3");
     with(false, false, '3', "\"");
     with(false, false, '[', "\u00fc");
-    CHECK(pressed == std::vector<ui::Order>{brush_smaller, brush_smaller, brush_larger, brush_smaller,
-                                            brush_larger, ui::Order(choose_layer, 2),
-                                            ui::Order(choose_layer, 2)});
+    using namespace some_commands;
+    CHECK(pressed == std::vector<ui::Order>{
+                         {smaller}, {smaller}, {larger}, {smaller}, {larger}, {layer, 2}, {layer, 2}});
 }
 
 TEST_CASE("keys: what has a name, letters and digits go down in the frame that they are told for") {

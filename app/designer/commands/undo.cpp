@@ -1,0 +1,14 @@
+#include "app/designer/command.h"
+
+namespace nacre {
+
+const Command undo_command{
+    .info = {.menu = "Edit",
+             .label = "Undo",
+             .keys = "Ctrl+Z",
+             .about = "Take back a stroke or a drag.",
+             .repeats = true},
+    .enabled = [](const Designer& designer) { return designer.document.history.can_undo(); },
+    .perform = [](Designer& designer, std::size_t) { designer.document.undo(); }};
+
+}  // namespace nacre
