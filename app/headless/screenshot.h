@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/headless/event_script.h"
+#include "app/headless/stage.h"
 #include "core/design/design.h"
 
 namespace nacre {
@@ -24,6 +25,9 @@ struct Screenshot {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> rgba;  // rows from the top
 };
+
+// The picture of a stage that was just made; it stays as it was then.
+Screenshot screenshot(const ScreenshotOptions& options, Stage& stage);
 
 // What is wrong with the script is a UserError at its line; no OpenGL is a std::runtime_error.
 Screenshot screenshot(const ScreenshotOptions& options);

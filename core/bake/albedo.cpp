@@ -56,7 +56,7 @@ MaskingBends parted_as(const Shading<double>& shading) {
     constexpr double nothing = 1e-7, narrow = 0.2;
     const double width = shading.surface.masking_width, turned = pi / width;
     const bool plane = width < narrow || std::exp(-0.5 * turned * turned) > nothing;
-    const MaskingBends bends = masking_bends(static_cast<std::size_t>(shading.kinds.masking));
+    const MaskingBends bends = shading.kinds.masking_bends();
     return bends == MaskingBends::azimuth && !plane ? MaskingBends::horizon : bends;
 }
 

@@ -126,7 +126,7 @@ Json evaluation_json(const Tables& tables) {
 
 // What R0 and R mean with each Fresnel model.
 void add_fresnel_rules(const Tables& tables, Json& json) {
-    switch (tables.shading.kinds.fresnel_tables) {
+    switch (tables.shading.kinds.fresnel_tables()) {
         case FresnelTables::none:
             json["albedo_of_design"] = "R = R1";
             break;

@@ -29,8 +29,11 @@ using FresnelModels = std::variant<T...>;
 
 using Fresnel = FresnelModels<NACRE_FRESNEL>;
 
-inline FresnelTables fresnel_tables(const Fresnel& fresnel) {
-    return std::visit([]<class T>(const T&) { return T::tables; }, fresnel);
-}
+inline constexpr auto tables_of_fresnel = KindSet<Fresnel>::each([]<class T>() { return T::tables; });
+
+// Which tables of R the model of that index needs.
+constexpr FresnelTables fresnel_tables(std::size_t index) { return tables_of_fresnel[index]; }
+
+constexpr FresnelTables fresnel_tables(const Fresnel& fresnel) { return fresnel_tables(fresnel.index()); }
 
 }  // namespace nacre

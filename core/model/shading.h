@@ -21,9 +21,15 @@ struct ShadingKinds {
     int fresnel = kind_index<Fresnel, NoFresnel>();
     int masking = kind_index<MaskingModel, UncorrelatedMasking>();
     int diffuse = kind_index<Diffuse, NoDiffuse>();
-    FresnelTables fresnel_tables = FresnelTables::none;
     bool clamp = true;
     bool albedo = false;  // the tables hold R
+
+    constexpr FresnelTables fresnel_tables() const {
+        return nacre::fresnel_tables(static_cast<std::size_t>(fresnel));
+    }
+    constexpr MaskingBends masking_bends() const {
+        return nacre::masking_bends(static_cast<std::size_t>(masking));
+    }
 
     bool operator==(const ShadingKinds&) const = default;
 };

@@ -14,8 +14,8 @@
 #define HAS_LINEAR_FRESNEL 1
 #define HAS_EXACT_FRESNEL 1
 #define FRESNEL_IS(index) kinds.fresnel == index
-#define FRESNEL_IS_LINEAR kinds.fresnel_tables == FresnelTables::linear
-#define FRESNEL_IS_EXACT kinds.fresnel_tables == FresnelTables::exact
+#define FRESNEL_IS_LINEAR kinds.fresnel_tables() == FresnelTables::linear
+#define FRESNEL_IS_EXACT kinds.fresnel_tables() == FresnelTables::exact
 #define MASKING_IS(index) kinds.masking == index
 #define DIFFUSE_IS(index) kinds.diffuse == index
 #define CLAMP_VISIBILITY kinds.clamp

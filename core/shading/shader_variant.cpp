@@ -116,8 +116,8 @@ std::string variant_definitions(const ShaderVariant& variant) {
     define("HAS_PICTURE", variant.modulation || std::any_of(lobes.begin(), lobes.end(), lobe_reads_picture));
     define("HAS_MODULATION", variant.modulation);
     define("HAS_ALBEDO", variant.kinds.albedo);
-    define("HAS_LINEAR_FRESNEL", variant.kinds.fresnel_tables == FresnelTables::linear);
-    define("HAS_EXACT_FRESNEL", variant.kinds.fresnel_tables == FresnelTables::exact);
+    define("HAS_LINEAR_FRESNEL", variant.kinds.fresnel_tables() == FresnelTables::linear);
+    define("HAS_EXACT_FRESNEL", variant.kinds.fresnel_tables() == FresnelTables::exact);
     define("AMBIENT_LIGHT", variant.ambient);
     define("SURROUNDINGS", variant.surroundings);
     text += fmt::format("#define LIGHTS {}\n", variant.lights);

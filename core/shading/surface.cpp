@@ -30,7 +30,6 @@ void describe_modulation(const Modulation& modulation, Shader::Layer& layer, std
 
 void describe_fresnel(const Fresnel& fresnel, Shader& shading) {
     shading.kinds.fresnel = static_cast<int>(fresnel.index());
-    shading.kinds.fresnel_tables = fresnel_tables(fresnel);
     const ShaderFresnel numbers = std::visit([](const auto& model) { return model.shader(); }, fresnel);
     shading.surface.fresnel_a = numbers.a;
     shading.surface.fresnel_b = numbers.b;

@@ -38,8 +38,7 @@ class AdaptiveAlbedo {
                 1);
             for (const LobeSpan& span : placed.lobe->spans()) {
                 const LobeWalk walk(placed, span, integrand.k1);
-                const std::vector<double> cuts = walk.azimuth_cuts(
-                    masking_bends(static_cast<std::size_t>(integrand.shading.kinds.masking)));
+                const std::vector<double> cuts = walk.azimuth_cuts(integrand.shading.kinds.masking_bends());
                 for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
                     add(sum,
                         integrate_adaptively<4>(
@@ -86,7 +85,7 @@ class AdaptiveAlbedo {
                           const std::stop_token& stop) const {
         const LobeWalk::Ray whole = walk.ray(psi);
         std::vector<double> cuts;
-        walk.cuts(whole, masking_bends(static_cast<std::size_t>(integrand.shading.kinds.masking)), cuts);
+        walk.cuts(whole, integrand.shading.kinds.masking_bends(), cuts);
         auto at = [&](double chi) {
             if (stop.stop_requested()) throw BakeCancelled();
             const Facet facet = walk.facet(whole, chi);

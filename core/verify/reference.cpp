@@ -34,7 +34,7 @@ Reference::Reference(const Design& design)
     describe_layers(design.distribution, distribution_, shading_, data_);
     shading_.data = data_.data();
     const Needs needs = needs_of(design, {.albedo = true});
-    if (masking_bends(static_cast<std::size_t>(shading_.kinds.masking)) == MaskingBends::azimuth)
+    if (shading_.kinds.masking_bends() == MaskingBends::azimuth)
         shading_.surface.tables.axis =
             StretchedGrid(distribution_, needs.symmetry,
                           first_size(needs.symmetry.symmetry, Quality::final).psi, false)
@@ -54,7 +54,7 @@ double Reference::visibility(dvec3 k) const {
 }
 
 AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
-    if (masking_bends(static_cast<std::size_t>(shading_.kinds.masking)) == MaskingBends::azimuth)
+    if (shading_.kinds.masking_bends() == MaskingBends::azimuth)
         k = beside_normal(k, shading_.surface.tables.axis);
     return albedo_(
         {shading_, k, projected_area(k), channels_}, [&](dvec3 k2) { return projected_area(k2); }, stop);

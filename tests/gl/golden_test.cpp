@@ -1,18 +1,15 @@
-// Every preset against its reference picture in tests/golden/. A failure leaves the picture and the
-// difference in golden/ of the build folder; scripts/update-golden takes the pictures of today as reference.
+// Every preset, scene and object against its reference picture.
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include "app/headless/offscreen_context.h"
 #include "app/preview/render.h"
 #include "core/design/design_file.h"
-#include "core/image/image_file.h"
-#include "tests/gl/read_png.h"
+#include "tests/gl/golden.h"
 
 using namespace nacre;
 using namespace nacre::test;
@@ -21,46 +18,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr glm::ivec2 size{160, 160};
-// Of 255: rounding, the dither and another llvmpipe move a pixel by one or two; a moved highlight by tens.
-constexpr double pixel_tolerance = 6, mean_tolerance = 0.35;
-
-const fs::path references = fs::path(NACRE_SOURCE_DIR) / "tests/golden";
-const fs::path failures = fs::path(NACRE_BINARY_DIR) / "golden";
-
-struct Difference {
-    double worst = 0, mean = 0;  // of 255
-    std::vector<float> picture;  // eight times the difference
-};
-
-Difference compare(const std::vector<float>& actual, const std::vector<float>& expected) {
-    Difference difference;
-    for (std::size_t i = 0; i < actual.size(); ++i) {
-        const double d = 255 * std::fabs(static_cast<double>(actual[i]) - static_cast<double>(expected[i]));
-        difference.worst = std::fmax(difference.worst, d);
-        difference.mean += d / static_cast<double>(actual.size());
-        difference.picture.push_back(static_cast<float>(std::fmin(8 * d / 255, 1)));
-    }
-    return difference;
-}
+// Rounding, the dither and another llvmpipe move a pixel by one or two; a moved highlight by tens.
+constexpr GoldenRule rule{.worst = 6, .mean = 0.35};
 
 void check_picture(const std::string& name, const RenderedImage& image) {
-    CAPTURE(name);
-    const fs::path reference = references / (name + ".png");
-    if (std::getenv("NACRE_UPDATE_GOLDEN")) {
-        write_image(reference, image.size, image.rgb);
-        return;
-    }
-    REQUIRE(fs::exists(reference));
-    const std::vector<float> expected = read_png(reference, image.size);
-    REQUIRE(expected.size() == image.rgb.size());
-    const Difference difference = compare(image.rgb, expected);
-    CHECK(difference.worst <= pixel_tolerance);
-    CHECK(difference.mean <= mean_tolerance);
-    if (difference.worst <= pixel_tolerance && difference.mean <= mean_tolerance) return;
-    fs::create_directories(failures);
-    write_image(failures / (name + ".actual.png"), image.size, image.rgb);
-    write_image(failures / (name + ".difference.png"), image.size, difference.picture);
-    MESSAGE("see " << (failures / (name + ".actual.png")).string());
+    check_golden(name, rule, image.size, image.rgb);
 }
 
 }  // namespace

@@ -43,7 +43,6 @@ std::vector<ShaderVariant> all_kinds() {
                 variant.kinds = {.fresnel = static_cast<int>(fresnel),
                                  .masking = static_cast<int>(masking),
                                  .diffuse = static_cast<int>(diffuse),
-                                 .fresnel_tables = fresnel_tables(KindSet<Fresnel>::made(fresnel)),
                                  .clamp = turn % 2 == 0,
                                  .albedo = reads || turn % 5 == 0};
                 variant.lights = 1 + turn % 3;
@@ -59,7 +58,6 @@ std::vector<ShaderVariant> all_kinds() {
             variant.lobes = {turn++ % lobes};
             variant.kinds = {.fresnel = kind_index<Fresnel, SchlickFresnel>(),
                              .diffuse = kind_index<Diffuse, CoupledDiffuse>(),
-                             .fresnel_tables = FresnelTables::linear,
                              .albedo = true};
             variant.ambient = true;
             variant.term = term;
