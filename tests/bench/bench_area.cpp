@@ -25,8 +25,8 @@ void add_full(Report& report, const char* name, const BakeOptions& options) {
         std::shared_ptr<const Tables> tables;
         const double seconds = repeat(state, [&] { tables = bake(design, options); });
         Line line = within(what, seconds, 15e-3);
-        line.remark = fmt::format("{} x {} nodes, g within {:.1e}", tables->size.w,
-                                  tables->size.psi, tables->errors.area.worst);
+        line.remark = fmt::format("{} x {} nodes, g within {:.1e}", tables->size.w, tables->size.psi,
+                                  tables->errors.area.worst);
         report.add(line);
     });
 }

@@ -51,8 +51,8 @@ struct AlbedoCurves {
 AlbedoCurves albedo_curves(const Tables& tables, bool several_azimuths) {
     const ShadingKinds& kinds = tables.shading.kinds;
     AlbedoCurves curves;
-    curves.grey =
-        several_azimuths || is_grey(tables.shading.fresnel(1)) || kinds.fresnel_tables() == FresnelTables::none;
+    curves.grey = several_azimuths || is_grey(tables.shading.fresnel(1)) ||
+                  kinds.fresnel_tables() == FresnelTables::none;
     curves.zero = kinds.fresnel_tables() == FresnelTables::linear;
     curves.one = kinds.fresnel_tables() != FresnelTables::none;
     return curves;
