@@ -9,6 +9,7 @@
 #include "core/model/facet_distribution.h"
 #include "core/paint/painted_layer.h"
 #include "ui/canvas_path.h"
+#include "ui/canvas_tools.h"
 #include "ui/theme.h"
 
 namespace nacre::ui {
@@ -19,29 +20,6 @@ constexpr double pixels_a_step = 2;  // of the way on the screen, so that a quic
 constexpr double first_share = 0.5;  // weight of a blank layer's first paint, of the other layers'
 constexpr int footprint_steps = 64;
 
-bool is_shape(CanvasTool tool) { return tool >= CanvasTool::line; }
-
-PaintTool paint_tool(CanvasTool tool) {
-    switch (tool) {
-        case CanvasTool::erase:
-            return PaintTool::erase;
-        case CanvasTool::smooth:
-            return PaintTool::smooth;
-        case CanvasTool::smear:
-            return PaintTool::smear;
-        case CanvasTool::stamp:
-            return PaintTool::stamp;
-        default:
-            return PaintTool::paint;
-    }
-}
-
-ShapeKind shape_kind(CanvasTool tool) {
-    return tool == CanvasTool::line   ? ShapeKind::line
-           : tool == CanvasTool::ring ? ShapeKind::ring
-                                      : ShapeKind::star;
-}
-
 bool is_painted(const Distribution& distribution, std::size_t index) {
     return index < distribution.layers.size() &&
            std::holds_alternative<PaintedLobe>(distribution.layers[index].lobe);
@@ -49,7 +27,7 @@ bool is_painted(const Distribution& distribution, std::size_t index) {
 
 dvec3 in_layer(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(layer)) * h; }
 
-void begin_stroke(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
+void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surface, Distribution& distribution,
                   std::size_t& chosen) {
     if (!is_painted(distribution, chosen)) add_painted_layer(distribution, chosen);
     if (!is_painted(distribution, chosen)) return;
@@ -61,38 +39,26 @@ void begin_stroke(CanvasState& state, const BrushSurface& surface, Distribution&
     if (mass > 0) layer.enabled = true;
     make_room_for_paint(distribution, chosen, mass);
     const double others = weight_of_others(distribution, chosen);
-    const dvec3 at = in_layer(layer, *surface.pointed_at);
+    StrokeStyle style{
+        .tool = tool, .brush = state.brush, .symmetry = state.symmetry, .tip = {}, .rays = state.rays};
+    if (state.stamp < state.stamps.size()) style.tip = state.stamps[state.stamp].picture;
     state.held = HeldBrush{.layer = chosen,
                            .before = layer,
                            .mass = mass,
                            .first_weight = others > 0 ? first_share * others : 1,
-                           .stroke = {},
-                           .from = at,
+                           .stroke = {raster, std::move(style), in_layer(layer, *surface.pointed_at)},
                            .pixel = surface.pixel,
                            .surface = surface.surface};
-    if (is_shape(state.tool)) return;
-    StrokeStyle style{
-        .tool = paint_tool(state.tool), .brush = state.brush, .symmetry = state.symmetry, .tip = {}};
-    if (state.stamp < state.stamps.size()) style.tip = state.stamps[state.stamp].picture;
-    state.held->stroke.emplace(raster, std::move(style), at);
 }
 
-std::shared_ptr<const Raster> continued(const CanvasState& state, const BrushSurface& surface,
-                                        HeldBrush& held) {
-    const auto& before = std::get<PaintedLobe>(held.before.lobe).image.raster;
-    if (!held.stroke) {
-        const auto to = surface.normal(surface.pixel);
-        if (!to) return before;
-        const Shape shape{shape_kind(state.tool), state.rays, held.from, in_layer(held.before, *to)};
-        return with_shape(*before, shape, state.brush, state.symmetry);
-    }
+std::shared_ptr<const Raster> continued(const BrushSurface& surface, HeldBrush& held) {
     const glm::dvec2 way = surface.pixel - held.pixel;
     const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) / pixels_a_step)));
     if (way != glm::dvec2(0))
         for (int i = 1; i <= steps; ++i)
             if (const auto h = surface.normal(held.pixel + way * (static_cast<double>(i) / steps)))
-                held.stroke->move_to(in_layer(held.before, *h));
-    return held.stroke->raster();
+                held.stroke.move_to(in_layer(held.before, *h));
+    return held.stroke.raster();
 }
 
 // The edge of what a dab covers, about `middle` in the layer's frame.
@@ -150,14 +116,15 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution&
         (!surface.active || !ImGui::IsMouseDown(ImGuiMouseButton_Left)))
         state.held.reset();
     const bool pointing = surface.hovered && surface.pointed_at;
-    if (pointing && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        begin_stroke(state, surface, distribution, chosen);
+    const auto tool = paints_with(state.tool);
+    if (pointing && tool && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        begin_stroke(state, *tool, surface, distribution, chosen);
     if (!state.held || state.held->surface != surface.surface) return pointing;
     if (!is_painted(distribution, state.held->layer)) {
         state.held.reset();
         return true;
     }
-    auto raster = continued(state, surface, *state.held);
+    auto raster = continued(surface, *state.held);
     state.held->pixel = surface.pixel;
     Layer& layer = distribution.layers[state.held->layer];
     if (std::get<PaintedLobe>(layer.lobe).image.raster == raster) return true;
@@ -169,19 +136,22 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution&
 void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Distribution& distribution,
                 std::size_t chosen) {
     const std::optional<dvec3>& at = frame.cursor ? frame.cursor : state.marked;
-    if (!at || state.tool == CanvasTool::grab) return;
+    const auto tool = paints_with(state.tool);
+    if (!at || !tool) return;
+    const PaintToolInfo& kind = info(*tool);
+    const auto* dabs = std::get_if<DabTool>(&kind.work);
     const glm::dmat3 place =
         is_painted(distribution, chosen) ? layer_frame(distribution.layers[chosen]) : glm::dmat3(1);
     const dvec3 middle = glm::transpose(place) * *at;
     const double radius = state.brush.radius * radians;
     if (middle.z < -0.5) return;
-    if (state.symmetry.kind == SymmetryKind::ring && !is_shape(state.tool) && state.tool != CanvasTool::stamp)
+    if (state.symmetry.kind == SymmetryKind::ring && dabs != nullptr && dabs->follows_way)
         draw_ring(frame, place, angle_between({0, 0, 1}, middle), radius);
     const auto images = symmetry_images(state.symmetry);
     for (std::size_t i = images.size(); i-- > 0;) {
         const glm::dmat3 to = place * images[i];
         const bool first = i == 0;
-        if (state.tool == CanvasTool::stamp && state.stamp < state.stamps.size()) {
+        if (kind.needs == ToolNeed::picture && state.stamp < state.stamps.size()) {
             const glm::dvec2 reach = state.stamps[state.stamp].reach;
             outline(
                 frame, [&](double t) { return to * stamp_edge(middle, radius, reach, t); }, first);

@@ -27,17 +27,17 @@ constexpr float hint_ems = 9;        // the least breadth to read a hint in
 void tool_button(CanvasState& state, const ToolEntry& entry) {
     const float side = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton(entry.name, ImVec2(side, side))) state.tool = entry.tool;
-    note_item(entry.name);
+    if (ImGui::InvisibleButton(entry.face->name, ImVec2(side, side))) state.tool = entry.tool;
+    note_item(entry.face->name);
     const bool chosen = state.tool == entry.tool, hovered = ImGui::IsItemHovered();
     if (chosen || hovered)
         ImGui::GetWindowDrawList()->AddRectFilled(
             corner, {corner.x + side, corner.y + side},
             ImGui::GetColorU32(chosen ? palette::accent_dim : palette::field),
             ImGui::GetStyle().FrameRounding);
-    draw_tool_icon(entry.tool, corner, side,
+    draw_tool_icon(*entry.face, corner, side,
                    ImGui::GetColorU32(chosen ? palette::accent_bright : palette::text));
-    if (hovered) tooltip_for_item(tool_tooltip(entry).c_str());
+    if (hovered) tooltip_for_item(tool_tooltip(*entry.face).c_str());
 }
 
 void view_buttons(CanvasState& state) {
@@ -116,15 +116,15 @@ void choice(const char* name, int& index, const std::vector<std::string>& names,
     ImGui::EndCombo();
 }
 
-// The middle of the row: what only this tool has in place of a hard edge.
-void tool_number(CanvasState& state, float breadth) {
-    if (state.tool == CanvasTool::stamp) {
+// The middle of the row: what this tool needs.
+void tool_number(CanvasState& state, ToolNeed need, float breadth) {
+    if (need == ToolNeed::picture) {
         std::vector<std::string> names;
         for (const NamedStamp& stamp : state.stamps) names.push_back(stamp.name);
         int index = static_cast<int>(state.stamp);
         choice("Stamp picture", index, names, breadth, "The picture to stamp with: white paints.");
         state.stamp = static_cast<std::size_t>(index);
-    } else if (state.tool == CanvasTool::star) {
+    } else if (need == ToolNeed::rays) {
         whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, breadth, "How many rays the star has.",
                      state.rays);
     } else {
@@ -141,7 +141,7 @@ float number_breadth(float others) {
     return std::clamp(room / 3, size * 4.4f, size * 6.2f);
 }
 
-void brush_row(CanvasState& state, Distribution& distribution) {
+void brush_row(CanvasState& state, PaintTool tool, Distribution& distribution) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
     const bool turned = state.symmetry.kind == SymmetryKind::turns;
     const float menu = button_breadth("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
@@ -160,7 +160,7 @@ void brush_row(CanvasState& state, Distribution& distribution) {
                     "comma and point, change it."},
         breadth, state.brush.radius);
     stay_on_line(breadth, gap);
-    tool_number(state, breadth);
+    tool_number(state, info(tool).needs, breadth);
     stay_on_line(breadth, gap);
     percent("Flow", "flow %.0f %%",
             "How much one touch of the brush does: low flow builds up stroke by stroke.", breadth,
@@ -200,7 +200,7 @@ void take_keys(CanvasState& state) {
         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return;
     for (const ToolEntry& entry : canvas_tools())
-        if (is_key_pressed(entry.key, false)) state.tool = entry.tool;
+        if (is_key_pressed(entry.face->key, false)) state.tool = entry.tool;
 }
 
 }  // namespace
@@ -214,10 +214,7 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
     take_keys(state);
     bool first = true;
     for (const ToolEntry& entry : canvas_tools()) {
-        if (!first)
-            stay_on_line(
-                ImGui::GetFrameHeight(),
-                entry.tool == CanvasTool::paint || entry.tool == CanvasTool::line ? scaled(8) : scaled(2));
+        if (!first) stay_on_line(ImGui::GetFrameHeight(), scaled(entry.face->begins_group ? 8.0f : 2.0f));
         first = false;
         tool_button(state, entry);
     }
@@ -228,10 +225,10 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
         if (state.tool == CanvasTool::handles) state.tool = CanvasTool::paint;
     }
     view_buttons(state);
-    if (state.tool == CanvasTool::handles || state.tool == CanvasTool::grab)
-        handles_row(state, distribution);
+    if (const auto tool = paints_with(state.tool))
+        brush_row(state, *tool, distribution);
     else
-        brush_row(state, distribution);
+        handles_row(state, distribution);
 }
 
 }  // namespace nacre::ui

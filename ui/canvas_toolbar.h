@@ -12,6 +12,6 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
 void resize_brush(CanvasState& state, int steps);
 
 // Draws a tool's sign into a square.
-void draw_tool_icon(CanvasTool tool, ImVec2 corner, float side, ImU32 colour);
+void draw_tool_icon(const ToolFace& face, ImVec2 corner, float side, ImU32 colour);
 
 }  // namespace nacre::ui

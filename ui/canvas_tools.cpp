@@ -3,33 +3,48 @@
 namespace nacre::ui {
 namespace {
 
+constexpr ToolFace handles_face{.name = "Handles",
+                                .key = 'V',
+                                .about = "Shapes lobes by their handles.",
+                                .more = "The middle leans a lobe, its ends widen it, its outline turns it.",
+                                .icon = [](const IconPen& pen) {
+                                    pen.fill({{0.30f, 0.15f}, {0.30f, 0.72f}, {0.46f, 0.58f}});
+                                    pen.fill({{0.30f, 0.15f}, {0.46f, 0.58f}, {0.72f, 0.56f}});
+                                    pen.line({{0.44f, 0.54f}, {0.57f, 0.84f}});
+                                }};
+
+constexpr ToolFace grab_face{
+    .name = "Grab",
+    .key = 'G',
+    .about = "Carries a highlight along, here or on the object.",
+    .more =
+        "Of the layer that is strongest there a painted hill follows up to the valleys about it, a lobe "
+        "as a whole.",
+    .icon = [](const IconPen& pen) {
+        pen.line({{0.5f, 0.14f}, {0.5f, 0.86f}});
+        pen.line({{0.14f, 0.5f}, {0.86f, 0.5f}});
+        pen.line({{0.40f, 0.24f}, {0.5f, 0.13f}, {0.60f, 0.24f}});
+        pen.line({{0.40f, 0.76f}, {0.5f, 0.87f}, {0.60f, 0.76f}});
+        pen.line({{0.24f, 0.40f}, {0.13f, 0.5f}, {0.24f, 0.60f}});
+        pen.line({{0.76f, 0.40f}, {0.87f, 0.5f}, {0.76f, 0.60f}});
+    }};
+
 constexpr ToolEntry tools[] = {
-    {CanvasTool::handles, "Handles", 'V', "Shapes lobes by their handles.",
-     "The middle leans a lobe, its ends widen it, its outline turns it."},
-    {CanvasTool::grab, "Grab", 'G', "Carries a highlight along, here or on the object.",
-     "Of the layer that is strongest there a painted hill follows up to the valleys about it, a lobe as a "
-     "whole."},
-    {CanvasTool::paint, "Paint", 'B', "Adds facets, here or on the object.",
-     "Facets that lean up shine below the highlight's middle, those that lean left to the right "
-     "of it: on the object the brush paints where you see it. On a lobe that is not painted a new painted "
-     "layer begins."},
-    {CanvasTool::erase, "Erase", 'E', "Takes facets away.", "What is left keeps its ratios."},
-    {CanvasTool::smooth, "Smooth", 'S', "Softens what is painted.", "Edges of the highlight blur."},
-    {CanvasTool::smear, "Smear", 'M', "Pushes paint along.", "The highlight is drawn out like wet paint."},
-    {CanvasTool::stamp, "Stamp", 'T', "Stamps a picture, as broad as the brush.",
-     "White paints. A picture that is dropped on the window can become one."},
-    {CanvasTool::line, "Line", 'L', "A line from press to release.", "As broad and as hard as the brush."},
-    {CanvasTool::ring, "Ring", 'R', "A ring about the press: a halo.", "The drag gives its radius."},
-    {CanvasTool::star, "Star", 'K', "Rays from the press that taper off: a sparkle.",
-     "The drag gives their length."},
+    {CanvasTool::handles, &handles_face, {}},
+    {CanvasTool::grab, &grab_face, {}},
+#define TOOL(name) {CanvasTool::name, &name##_tool.face, PaintTool::name},
+#include "core/paint/tool_list.inc"
+#undef TOOL
 };
 
 }  // namespace
 
 std::span<const ToolEntry> canvas_tools() { return tools; }
 
-std::string tool_tooltip(const ToolEntry& entry) {
-    return std::string(entry.name) + " (" + entry.key + "). " + entry.about + " " + entry.more;
+std::string tool_tooltip(const ToolFace& face) {
+    return std::string(face.name) + " (" + face.key + "). " + face.about + " " + face.more;
 }
+
+std::optional<PaintTool> paints_with(CanvasTool tool) { return tools[static_cast<std::size_t>(tool)].paints; }
 
 }  // namespace nacre::ui

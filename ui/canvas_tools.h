@@ -1,6 +1,7 @@
-// The tools of the canvas in their order, with what each does.
+// The tools of the canvas in their order.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -10,13 +11,14 @@ namespace nacre::ui {
 
 struct ToolEntry {
     CanvasTool tool;
-    const char* name;
-    char key;
-    const char* about;  // one line for tooltip, sheet and manual
-    const char* more;   // for the tooltip alone
+    const ToolFace* face;
+    std::optional<PaintTool> paints;  // none of handles and grab
 };
 
 std::span<const ToolEntry> canvas_tools();
-std::string tool_tooltip(const ToolEntry& entry);
+std::string tool_tooltip(const ToolFace& face);
+
+// What a tool paints with, if it does.
+std::optional<PaintTool> paints_with(CanvasTool tool);
 
 }  // namespace nacre::ui

@@ -13,7 +13,6 @@
 #include "core/paint/hemisphere_view.h"
 #include "core/paint/highlight.h"
 #include "core/paint/lobe_handles.h"
-#include "core/paint/shape.h"
 #include "core/paint/stamps.h"
 #include "core/paint/stroke.h"
 
@@ -28,8 +27,14 @@ struct GrabbedHandle {
     Layer before;
 };
 
-// What the left button does.
-enum class CanvasTool { handles, grab, paint, erase, smooth, smear, stamp, line, ring, star };
+// What the left button does: it pulls the handles of lobes, grabs highlights, or paints.
+enum class CanvasTool {
+    handles,
+    grab,
+#define TOOL(name) name,
+#include "core/paint/tool_list.inc"
+#undef TOOL
+};
 
 // Where a drag has begun and therefore stays.
 enum class Surface { canvas, sphere };
@@ -44,18 +49,15 @@ struct CarriedLayer {
     std::optional<Highlight> highlight;
 };
 
-// A stroke or a shape while the button is held.
+// A stroke while the button is held.
 struct HeldBrush {
     std::size_t layer;
     Layer before;
-    double mass, first_weight;     // see set_raster()
-    std::optional<Stroke> stroke;  // none for a shape
-    dvec3 from;                    // of a shape, in the layer's frame
-    glm::dvec2 pixel;              // of the pointer in the frame before
+    double mass, first_weight;  // see set_raster()
+    Stroke stroke;
+    glm::dvec2 pixel;  // of the pointer in the frame before
     Surface surface;
 };
-
-inline constexpr int usual_rays = 5;
 
 // Why p could not be balanced.
 struct Refusal {
@@ -70,7 +72,7 @@ struct CanvasState {
     CanvasTool tool = CanvasTool::handles;
     Brush brush;
     BrushSymmetry symmetry;
-    int rays = usual_rays;  // of a star
+    int rays = usual_rays;
     std::vector<NamedStamp> stamps = built_in_stamps();
     std::size_t stamp = 0;
     std::optional<GrabbedHandle> grabbed;

@@ -72,7 +72,8 @@ std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
         if (info->keys != nullptr) group(groups, info->menu).lines.push_back({keys_text(*info), info->about});
     for (const ToolEntry& entry : canvas_tools())
         group(groups, "Tools")
-            .lines.push_back({std::string(1, entry.key), std::string(entry.name) + ". " + entry.about});
+            .lines.push_back(
+                {std::string(1, entry.face->key), std::string(entry.face->name) + ". " + entry.face->about});
     groups.push_back(mouse_group());
     return groups;
 }

@@ -16,6 +16,7 @@
 #include "app/designer/work_files.h"
 #include "core/base/error.h"
 #include "ui/abandon_frame.h"
+#include "ui/canvas_tools.h"
 #include "ui/escape.h"
 #include "ui/item_map.h"
 #include "ui/material_panel.h"
@@ -121,7 +122,7 @@ void draw_preview(Designer& designer) {
     const Design shown = shown_design(designer);
     designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);
     ui::CanvasState& canvas = designer.canvas.state;
-    const bool probing = canvas.tool == ui::CanvasTool::handles || canvas.tool == ui::CanvasTool::grab;
+    const bool probing = !ui::paints_with(canvas.tool);
     const std::optional<dvec3>& there = designer.canvas.pointed_at();
     // The brush's mark must not hide what it paints.
     std::optional<dvec3> glow = there;

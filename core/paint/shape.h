@@ -3,21 +3,32 @@
 
 #include <memory>
 
+#include "core/design/design.h"
 #include "core/paint/brush.h"
-#include "core/paint/stroke.h"
 
 namespace nacre {
 
-enum class ShapeKind {
-    line,  // from the press to the pointer
-    ring,  // about the press, through the pointer
-    star   // rays from the press, one of them to the pointer, that taper to their ends
+// A shape as it is drawn out; angles in radians.
+struct ShapeSize {
+    double length;  // from the press to the pointer
+    double radius;  // of the brush
+    int rays;
 };
 
+// Of a point at polar angle `middle` about the press and azimuth `turn` off the way to the pointer: how far
+// it lies from the shape, in brush radii.
+using ShapeDistance = double (*)(const ShapeSize& size, double middle, double turn);
+
+// The same point by the ray from the press to the pointer: how far along it, and how far off it.
+struct RayPlace {
+    double along, off;
+};
+RayPlace ray_place(double middle, double turn);
+
 struct Shape {
-    ShapeKind kind = ShapeKind::line;
-    int rays = 5;
-    dvec3 from{0, 0, 1}, to{0, 0, 1};  // unit, in the layer's frame
+    ShapeDistance distance;
+    int rays;
+    dvec3 from{0, 0, 1}, to{0, 0, 1};  // unit, above the horizon of the layer's frame
 };
 
 // The raster with the shape in it, as broad as the brush and painted at once: nothing overlaps itself.

@@ -10,7 +10,10 @@
 namespace nacre {
 namespace {
 
-constexpr double spacing = 0.2;  // of the radius
+// Between two dabs, radians.
+double spacing(const Brush& brush) { return 0.2 * brush.radius * (std::numbers::pi / 180); }
+
+const DabTool* dab_tool(PaintTool tool) { return std::get_if<DabTool>(&info(tool).work); }
 
 }  // namespace
 
@@ -18,16 +21,18 @@ Stroke::Stroke(const Raster& before, StrokeStyle style, dvec3 at)
     : working_(before),
       style_(std::move(style)),
       scratch_(before.width),
-      at_(above_horizon(at)),
-      last_dab_(at_) {
-    to_next_ = spacing * style_.brush.radius * (std::numbers::pi / 180);
-    if (style_.tool != PaintTool::smear) dab(at_, at_);
+      begin_(above_horizon(at)),
+      at_(begin_),
+      last_dab_(begin_),
+      to_next_(spacing(style_.brush)) {
+    const DabTool* dabs = dab_tool(style_.tool);
+    if (dabs != nullptr && dabs->at_press) dab(at_, at_);
 }
 
 void Stroke::dab(dvec3 at, dvec3 from) {
-    apply_dab(working_,
-              {.tool = style_.tool,
-               .brush = style_.brush,
+    dab_tool(style_.tool)
+        ->dab(working_,
+              {.brush = style_.brush,
                .symmetry = style_.symmetry,
                .at = at,
                .from = from,
@@ -37,22 +42,35 @@ void Stroke::dab(dvec3 at, dvec3 from) {
     published_.reset();
 }
 
-void Stroke::move_to(dvec3 to) {
-    to = above_horizon(to);
-    if (style_.tool == PaintTool::stamp) return;
+void Stroke::dabs_to(dvec3 to) {
     const dvec3 begin = at_;
     const double way = angle_between(begin, to);
     if (!(way > 0) || way > std::numbers::pi - 1e-6) return;
     const dvec3 across = glm::normalize(to - begin * glm::dot(begin, to));
-    const double step = spacing * style_.brush.radius * (std::numbers::pi / 180);
     double gone = to_next_;
-    for (; gone <= way; gone += step) dab(begin * std::cos(gone) + across * std::sin(gone), last_dab_);
+    for (; gone <= way; gone += spacing(style_.brush))
+        dab(begin * std::cos(gone) + across * std::sin(gone), last_dab_);
     to_next_ = gone - way;
     at_ = to;
 }
 
+void Stroke::move_to(dvec3 to) {
+    to = above_horizon(to);
+    if (const DabTool* dabs = dab_tool(style_.tool)) {
+        if (dabs->follows_way) dabs_to(to);
+    } else if (to != at_) {
+        at_ = to;
+        published_.reset();
+    }
+}
+
 std::shared_ptr<const Raster> Stroke::raster() {
-    if (!published_) published_ = std::make_shared<const Raster>(working_);
+    if (published_) return published_;
+    if (const auto* distance = std::get_if<ShapeDistance>(&info(style_.tool).work))
+        published_ =
+            with_shape(working_, {*distance, style_.rays, begin_, at_}, style_.brush, style_.symmetry);
+    else
+        published_ = std::make_shared<const Raster>(working_);
     return published_;
 }
 

@@ -1,27 +1,29 @@
-// A stroke of the brush: dabs at even distances along the way that the hand takes.
+// A stroke of the brush: dabs at even distances along the way that the hand takes, or a shape.
 #pragma once
 
 #include <memory>
 
-#include "core/paint/dab.h"
+#include "core/paint/paint_tool.h"
 
 namespace nacre {
+
+inline constexpr int usual_rays = 5;
 
 struct StrokeStyle {
     PaintTool tool = PaintTool::paint;
     Brush brush;
     BrushSymmetry symmetry;
-    std::shared_ptr<const Raster> tip;  // of a stamp
+    std::shared_ptr<const Raster> tip;  // of a tool that needs a picture
+    int rays = usual_rays;
 };
 
 // Directions are unit vectors in the layer's frame; those below its horizon count as the rim.
 class Stroke {
   public:
-    // The first dab is where the stroke begins; a smear begins with the first way.
     Stroke(const Raster& before, StrokeStyle style, dvec3 at);
 
     // Goes there by the great circle. Dabs stand a fifth of the radius apart however the way is parted:
-    // parting a great circle moves them by rounding alone. A stamp is set once and follows no way.
+    // parting a great circle moves them by rounding alone. A shape goes straight from the beginning to here.
     void move_to(dvec3 to);
 
     // The layer's raster with the stroke so far. The same pointer for as long as nothing is added.
@@ -29,10 +31,12 @@ class Stroke {
 
   private:
     void dab(dvec3 at, dvec3 from);
+    void dabs_to(dvec3 to);
 
-    Raster working_;
+    Raster working_;  // a shape leaves it as it was
     StrokeStyle style_;
     Coverage scratch_;
+    dvec3 begin_;
     dvec3 at_;  // end of the way so far
     dvec3 last_dab_;
     double to_next_ = 0;  // way until the next dab, radians

@@ -40,24 +40,30 @@ TEST_CASE("shapes: a line on its great circle, a ring at its angle, a star on it
     const auto value = [](const Raster& raster, dvec3 h) {
         return raster_value(raster.values, 512, disk_point(h));
     };
+    const auto drawn = [&](PaintTool tool, dvec3 from, dvec3 to, BrushSymmetry symmetry = {}) {
+        Stroke stroke(blank, {tool, brush, symmetry, nullptr}, from);
+        stroke.move_to({1, 0, 0});  // where it ends counts, not the way there
+        stroke.move_to(to);
+        return stroke.raster();
+    };
     const dvec3 a = polar(40, 10), b = polar(50, 120);
-    const auto line = with_shape(blank, {ShapeKind::line, 5, a, b}, brush, {});
+    const auto line = drawn(PaintTool::line, a, b);
     for (const double t : {0.0, 0.3, 0.5, 1.0})
         CHECK(value(*line, glm::normalize((1 - t) * a + t * b)) == doctest::Approx(1));
     CHECK(value(*line, polar(70, 60)) == 0);
-    const auto ring = with_shape(blank, {ShapeKind::ring, 5, {0, 0, 1}, polar(35, 0)}, brush, {});
+    const auto ring = drawn(PaintTool::ring, {0, 0, 1}, polar(35, 0));
     for (double phi = 0; phi < 360; phi += 17) {
         CHECK(value(*ring, polar(35, phi)) == doctest::Approx(1));
         CHECK(value(*ring, polar(41, phi)) == 0);
         CHECK(value(*ring, polar(29, phi)) == 0);
     }
-    const auto star = with_shape(blank, {ShapeKind::star, 5, {0, 0, 1}, polar(40, 20)}, brush, {});
+    const auto star = drawn(PaintTool::star, {0, 0, 1}, polar(40, 20));
     for (int ray = 0; ray < 5; ++ray) {
         CHECK(value(*star, polar(30, 20 + 72 * ray)) == doctest::Approx(1));
         CHECK(value(*star, polar(30, 56 + 72 * ray)) == 0);
     }
     CHECK(value(*star, polar(44, 20)) == 0);
-    const auto mirrored = with_shape(blank, {ShapeKind::line, 5, a, b}, brush, {SymmetryKind::mirror_y, 6});
+    const auto mirrored = drawn(PaintTool::line, a, b, {SymmetryKind::mirror_y, 6});
     CHECK(value(*mirrored, {a.x, -a.y, a.z}) == doctest::Approx(1));
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/designer/rig.h"
+#include "ui/canvas_tools.h"
 
 using namespace nacre;
 using nacre::test::Rig;
@@ -83,8 +84,8 @@ TEST_CASE("tooltips: each kind of lobe") {
 TEST_CASE("tooltips: each tool") {
     Rig r;
     std::set<std::string> told;
-    for (const char* key : {"V", "G", "B", "E", "S", "M", "T", "L", "R", "K"}) {
-        r.play(std::string("move \"Canvas\"\nkey ") + key);
+    for (const ui::ToolEntry& tool : ui::canvas_tools()) {
+        r.play(std::string("move \"Canvas\"\nkey ") + tool.face->key);
         check_all_explained(r, told);
     }
 }

@@ -1,8 +1,7 @@
 #!/bin/bash
-# kinds.sh SOURCE FOLDER: a kind is one file (two with GLSL) and one line in a list. In a copy of the tree a lobe, a
-# Fresnel, a masking and a diffuse model, a verb, an export format, an environment, an object, a command and a plot are
-# added just so; all of it must build, and each work in whatever follows from the lists: files, checks, fields, bake,
-# preview against core, manifest, exports, menus, keys.
+# kinds.sh SOURCE FOLDER: a kind is one file (two with GLSL) and one line in a list. In a copy of the tree one of each
+# set is added just so; all of it must build, and each work in whatever follows from the lists: files, checks, fields,
+# bake, preview against core, manifest, exports, menus, keys, buttons.
 set -euo pipefail
 source=$(realpath "$1") folder=$2
 more=$source/tests/kinds/more
@@ -58,6 +57,10 @@ echo 'plot seen:'
 add seen.cpp core/plot/kinds/seen.cpp
 line core/plot/plot_list.inc 'PLOT(seen)'
 
+echo 'tool half:'
+add half.cpp core/paint/tools/half.cpp
+line core/paint/tool_list.inc 'TOOL(half)'
+
 cd "$tree"
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 cmake --preset release -DNACRE_TESTS=ON -DNACRE_BENCH=OFF >/dev/null
@@ -96,6 +99,10 @@ $bin/nacre-cli render design.nacre -o lit.png --size 64x64 --environment halves 
 $bin/nacre-cli plot design.nacre --what seen -o seen.csv
 printf '%s\n' 'click "Plots"' 'click "Plot seen"' 'frames 5' >plot.events
 $bin/nacre-cli screenshot design.nacre -o plot.png --script plot.events
+printf '%s\n' 'click "Half"' 'drag "Canvas":@10,0 "Canvas":@40,90' 'key Ctrl+S' 'frames 5' >tool.events
+cp design.nacre tool.nacre
+$bin/nacre-cli screenshot tool.nacre -o tool.png --script tool.events
+has tool.nacre painted
 # In its menu, and by its key.
 printf '%s\n' 'click "Edit"' 'click "Rename"' 'key Ctrl+S' 'frames 5' >menu.events
 printf '%s\n' 'key F8' 'key Ctrl+S' 'frames 5' >key.events
@@ -110,7 +117,7 @@ tests() {
     "$bin/nacre-test-$1" "$2" >tests.txt || { cat tests.txt; exit 1; }
     ! grep -qE 'test cases: +0 ' tests.txt || { echo "$1 $2: no test"; exit 1; }
 }
-tests core '-tc=design: random designs*,hostile design*'
+tests core '-tc=design: random designs*,hostile design*,brush: *'
 tests ui '-tc=material: *,lobes: *'
 tests gl '-ts=parity,variants'
 echo 'kinds: all work'
