@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/design/design.h"
+#include "core/image/raster.h"
 #include "core/paint/brush.h"
 
 namespace nacre {
