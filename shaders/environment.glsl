@@ -3,7 +3,7 @@
 uniform sampler2D environment_picture;  // radiance; row 0 touches the zenith
 uniform mat3 view_to_environment;
 
-// In parts of the picture's breadth and height, from the left and from the top.
+// In parts of the picture's width and height, from the left and from the top.
 vec2 lat_long_place(vec3 direction) {
     float level = length(direction.xz);
     float u = level > 0.0 ? atan(direction.x, -direction.z) / (2.0 * TABLE_PI) : 0.0;

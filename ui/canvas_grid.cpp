@@ -37,10 +37,10 @@ void label(const CanvasFrame& frame, ImVec2 at, const std::string& text, const C
     list.AddText(ImGui::GetFont(), size, corner, ImGui::GetColorU32(colour), text.c_str());
 }
 
-void ring(const CanvasFrame& frame, double theta, const Colour& colour, float breadth) {
+void ring(const CanvasFrame& frame, double theta, const Colour& colour, float width) {
     draw_path(
         frame, [&](double t) { return polar_direction(theta, 360 * t); }, steps, ImGui::GetColorU32(colour),
-        breadth);
+        width);
 }
 
 // Numbers stand at the rim, on the outside of the picture.
@@ -62,15 +62,15 @@ void draw_grid(const CanvasFrame& frame) {
     const double end = below ? 180 : 90;
     // On the disk the nadir is a circle, which only a theta just short of it draws.
     const double outermost = std::min(end, 179.99);
-    const float breadth = std::max(1.0f, ImGui::GetFontSize() / 15);
+    const float width = std::max(1.0f, ImGui::GetFontSize() / 15);
     for (int theta = 15; theta < end; theta += 15)
-        if (theta != 90) ring(frame, theta, theta % 30 == 0 ? plain : faint, breadth);
+        if (theta != 90) ring(frame, theta, theta % 30 == 0 ? plain : faint, width);
     for (int phi = 0; phi < 360; phi += 30)
         draw_path(
             frame, [&](double t) { return polar_direction(t * outermost, phi); }, steps / 2,
-            ImGui::GetColorU32(phi % 90 == 0 ? plain : faint), breadth);
-    ring(frame, 90, rim, 1.4f * breadth);
-    if (below && !frame.view.camera().dome) ring(frame, outermost, plain, breadth);
+            ImGui::GetColorU32(phi % 90 == 0 ? plain : faint), width);
+    ring(frame, 90, rim, 1.4f * width);
+    if (below && !frame.view.camera().dome) ring(frame, outermost, plain, width);
     for (int phi = 0; phi < 360; phi += 30) label_spoke(frame, phi, outermost);
     for (int theta = 30; theta < end; theta += 30) {
         const dvec3 h = polar_direction(theta, 45);
@@ -86,11 +86,11 @@ void draw_mark(const CanvasFrame& frame, dvec3 h) {
     const float scale = ImGui::GetFontSize() / 15, reach = 11 * scale, gap = 4 * scale;
     for (const bool edge : {true, false}) {
         const ImU32 colour = edge ? IM_COL32(0, 0, 0, 170) : ImGui::GetColorU32(palette::accent_bright);
-        const float breadth = (edge ? 4.5f : 2.2f) * scale;
-        list.AddCircle(at, gap, colour, 0, breadth);
+        const float width = (edge ? 4.5f : 2.2f) * scale;
+        list.AddCircle(at, gap, colour, 0, width);
         for (const ImVec2 way : {ImVec2(1, 0), {-1, 0}, {0, 1}, {0, -1}})
             list.AddLine({at.x + gap * way.x, at.y + gap * way.y},
-                         {at.x + reach * way.x, at.y + reach * way.y}, colour, breadth);
+                         {at.x + reach * way.x, at.y + reach * way.y}, colour, width);
     }
 }
 

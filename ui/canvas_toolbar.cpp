@@ -22,7 +22,7 @@ namespace {
 constexpr const char* symmetries[] = {"No symmetry", "Mirror x", "Mirror y",
                                       "Mirror both", "Turns",    "Full ring"};
 constexpr double key_factor = 1.15;  // of the radius, for each press of [ or ]
-constexpr float hint_ems = 9;        // the least breadth to read a hint in
+constexpr float hint_ems = 9;        // the least width to read a hint in
 
 void tool_button(CanvasState& state, const ToolEntry& entry) {
     const float side = ImGui::GetFrameHeight();
@@ -42,12 +42,12 @@ void tool_button(CanvasState& state, const ToolEntry& entry) {
 
 void view_buttons(CanvasState& state) {
     HemisphereCamera& camera = state.camera;
-    stay_on_line(button_breadth("Dome"), ImGui::GetStyle().ItemSpacing.x);
+    stay_on_line(button_width("Dome"), ImGui::GetStyle().ItemSpacing.x);
     if (button(camera.dome ? "Dome##Dome" : "Disk##Dome",
                "All facet normals as an equal-area disk seen from above, or as a dome that the right button "
                "turns."))
         camera = {.dome = !camera.dome, .below = camera.below};
-    stay_on_line(button_breadth("Lin"), ImGui::GetStyle().ItemInnerSpacing.x);
+    stay_on_line(button_width("Lin"), ImGui::GetStyle().ItemInnerSpacing.x);
     if (button(state.logarithmic ? "Log##Scale" : "Lin##Scale",
                "How p becomes brightness: linear, or logarithmic over four decades, which shows the haze "
                "around a "
@@ -56,12 +56,12 @@ void view_buttons(CanvasState& state) {
 }
 
 // A slider without a label column: its number says what it is.
-bool bar(const SliderSpec& spec, float breadth, double& value) {
-    ImGui::SetNextItemWidth(breadth);
+bool bar(const SliderSpec& spec, float width, double& value) {
+    ImGui::SetNextItemWidth(width);
     return slider_field(spec, spec.label, value, false);
 }
 
-bool percent(const char* name, const char* format, const char* text, float breadth, double reset,
+bool percent(const char* name, const char* format, const char* text, float width, double reset,
              double& part) {
     double hundredths = part * 100;
     const SliderSpec spec{.label = name,
@@ -73,7 +73,7 @@ bool percent(const char* name, const char* format, const char* text, float bread
                           .format = format,
                           .logarithmic = false,
                           .tooltip = text};
-    if (!bar(spec, breadth, hundredths)) return false;
+    if (!bar(spec, width, hundredths)) return false;
     part = hundredths / 100;
     return true;
 }
@@ -82,7 +82,7 @@ struct WholeRange {
     int least, most, reset;
 };
 
-void whole_number(const char* name, const char* format, const WholeRange& range, float breadth,
+void whole_number(const char* name, const char* format, const WholeRange& range, float width,
                   const char* text, int& number) {
     double value = number;
     const SliderSpec spec{.label = name,
@@ -95,12 +95,12 @@ void whole_number(const char* name, const char* format, const WholeRange& range,
                           .logarithmic = false,
                           .tooltip = text,
                           .whole = true};
-    if (bar(spec, breadth, value)) number = static_cast<int>(std::lround(value));
+    if (bar(spec, width, value)) number = static_cast<int>(std::lround(value));
 }
 
-void choice(const char* name, int& index, const std::vector<std::string>& names, float breadth,
+void choice(const char* name, int& index, const std::vector<std::string>& names, float width,
             const char* text) {
-    ImGui::SetNextItemWidth(breadth);
+    ImGui::SetNextItemWidth(width);
     const bool open = ImGui::BeginCombo(("##" + std::string(name)).c_str(),
                                         as_label(names[static_cast<std::size_t>(index)]).c_str());
     note_item(name);
@@ -117,25 +117,25 @@ void choice(const char* name, int& index, const std::vector<std::string>& names,
 }
 
 // The middle of the row: what this tool needs.
-void tool_number(CanvasState& state, ToolNeed need, float breadth) {
+void tool_number(CanvasState& state, ToolNeed need, float width) {
     if (need == ToolNeed::picture) {
         std::vector<std::string> names;
         for (const NamedStamp& stamp : state.stamps) names.push_back(stamp.name);
         int index = static_cast<int>(state.stamp);
-        choice("Stamp picture", index, names, breadth, "The picture to stamp with: white paints.");
+        choice("Stamp picture", index, names, width, "The picture to stamp with: white paints.");
         state.stamp = static_cast<std::size_t>(index);
     } else if (need == ToolNeed::rays) {
-        whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, breadth, "How many rays the star has.",
+        whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, width, "How many rays the star has.",
                      state.rays);
     } else {
         percent("Hardness", "hard %.0f %%",
                 "How much of the brush covers in full, from its middle; from there to the edge it fades.",
-                breadth, Brush{}.hardness, state.brush.hardness);
+                width, Brush{}.hardness, state.brush.hardness);
     }
 }
 
 // Of each of the three numbers, so that the whole row fits on one line wherever it can.
-float number_breadth(float others) {
+float number_width(float others) {
     const float size = ImGui::GetFontSize();
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x - others;
     return std::clamp(room / 3, size * 4.4f, size * 6.2f);
@@ -144,27 +144,27 @@ float number_breadth(float others) {
 void brush_row(CanvasState& state, PaintTool tool, Distribution& distribution) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
     const bool turned = state.symmetry.kind == SymmetryKind::turns;
-    const float menu = button_breadth("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
-    const float breadth =
-        number_breadth(menu + button_breadth(balance_text) + 4 * gap + (turned ? turns + gap : 0));
+    const float menu = button_width("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
+    const float width =
+        number_width(menu + button_width(balance_text) + 4 * gap + (turned ? turns + gap : 0));
     bar({.label = "Brush radius",
-         .low = brush_radius_least,
-         .high = brush_radius_most,
-         .least = brush_radius_least,
-         .most = brush_radius_most,
+         .low = brush_radius_min,
+         .high = brush_radius_max,
+         .least = brush_radius_min,
+         .most = brush_radius_max,
          .reset = Brush{}.radius,
          .format = "r %.1f\u00b0",
          .logarithmic = true,
          .tooltip = "The brush's radius on the hemisphere, degrees from its middle to its edge; the keys [ "
                     "and ], or "
                     "comma and point, change it."},
-        breadth, state.brush.radius);
-    stay_on_line(breadth, gap);
-    tool_number(state, info(tool).needs, breadth);
-    stay_on_line(breadth, gap);
+        width, state.brush.radius);
+    stay_on_line(width, gap);
+    tool_number(state, info(tool).needs, width);
+    stay_on_line(width, gap);
     percent("Flow", "flow %.0f %%",
-            "How much one touch of the brush does: low flow builds up stroke by stroke.", breadth,
-            Brush{}.flow, state.brush.flow);
+            "How much one touch of the brush does: low flow builds up stroke by stroke.", width, Brush{}.flow,
+            state.brush.flow);
     stay_on_line(menu, gap);
     int kind = static_cast<int>(state.symmetry.kind);
     choice("Symmetry", kind, {std::begin(symmetries), std::end(symmetries)}, menu,
@@ -173,10 +173,10 @@ void brush_row(CanvasState& state, PaintTool tool, Distribution& distribution) {
     state.symmetry.kind = static_cast<SymmetryKind>(kind);
     if (turned) {
         stay_on_line(turns, gap);
-        whole_number("Turns", "\u00d7 %.0f", {turns_least, turns_most, BrushSymmetry{}.turns}, turns,
+        whole_number("Turns", "\u00d7 %.0f", {turns_min, turns_max, BrushSymmetry{}.turns}, turns,
                      "How many copies stand about the axis, evenly turned.", state.symmetry.turns);
     }
-    stay_on_line(button_breadth(balance_text), gap);
+    stay_on_line(button_width(balance_text), gap);
     balance_button(state, distribution);
 }
 
@@ -207,7 +207,7 @@ void take_keys(CanvasState& state) {
 
 void resize_brush(CanvasState& state, int steps) {
     state.brush.radius =
-        std::clamp(state.brush.radius * std::pow(key_factor, steps), brush_radius_least, brush_radius_most);
+        std::clamp(state.brush.radius * std::pow(key_factor, steps), brush_radius_min, brush_radius_max);
 }
 
 void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
@@ -218,7 +218,7 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
         first = false;
         tool_button(state, entry);
     }
-    stay_on_line(button_breadth("New layer"), ImGui::GetStyle().ItemSpacing.x);
+    stay_on_line(button_width("New layer"), ImGui::GetStyle().ItemSpacing.x);
     if (button("New layer##New painted layer", "A new layer to paint on, with nothing on it yet.",
                distribution.layers.size() < limits::layers_max)) {
         add_painted_layer(distribution, chosen);

@@ -13,13 +13,13 @@ namespace {
 constexpr float reach = 0.5f;  // of the divider to either side, in letters' heights
 constexpr int bar_steps = 48;
 
-float text_breadth(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+float text_width(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
 // The text, or as much of it as fits with an ellipsis.
-std::string fitted(const std::string& text, float breadth) {
-    if (text_breadth(text) <= breadth) return text;
+std::string fitted(const std::string& text, float width) {
+    if (text_width(text) <= width) return text;
     std::u32string codes = code_points(text);
-    while (!codes.empty() && text_breadth(encode_utf8(codes) + "\u2026") > breadth) codes.pop_back();
+    while (!codes.empty() && text_width(encode_utf8(codes) + "\u2026") > width) codes.pop_back();
     return encode_utf8(codes) + "\u2026";
 }
 
@@ -27,7 +27,7 @@ std::string fitted(const std::string& text, float breadth) {
 void plate(const std::string& text, ImVec2 at) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 padding(ImGui::GetFontSize() * 0.4f, ImGui::GetFontSize() * 0.2f);
-    const ImVec2 end(at.x + text_breadth(text) + 2 * padding.x, at.y + ImGui::GetFontSize() + 2 * padding.y);
+    const ImVec2 end(at.x + text_width(text) + 2 * padding.x, at.y + ImGui::GetFontSize() + 2 * padding.y);
     list.AddRectFilled(at, end, ImGui::GetColorU32(ImVec4(0, 0, 0, 0.5f)), ImGui::GetStyle().FrameRounding);
     list.AddText({at.x + padding.x, at.y + padding.y}, ImGui::GetColorU32(palette::text), text.c_str());
 }
@@ -75,28 +75,27 @@ void side_labels(const std::string& left, const std::string& right, ImVec2 corne
     plate(fitted(left, most), {corner.x + margin, corner.y + margin});
     const std::string text = fitted(right, most);
     plate(text,
-          {corner.x + size.x - margin - text_breadth(text) - ImGui::GetFontSize() * 0.8f, corner.y + margin});
+          {corner.x + size.x - margin - text_width(text) - ImGui::GetFontSize() * 0.8f, corner.y + margin});
 }
 
 void scale_legend(const ScaleLegend& legend, ImVec2 corner, ImVec2 size) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float letter = ImGui::GetFontSize(), margin = letter * 0.5f;
-    const float breadth = std::min(letter * 9, size.x - 4 * margin);
-    if (breadth < 4 * letter || size.y < 8 * letter) return;
+    const float width = std::min(letter * 9, size.x - 4 * margin);
+    if (width < 4 * letter || size.y < 8 * letter) return;
     const ImVec2 low(corner.x + 2 * margin, corner.y + size.y - 2 * margin - 2.4f * letter);
     list.AddRectFilled({low.x - margin, low.y - margin - letter * 1.2f},
-                       {low.x + breadth + margin, low.y + 1.8f * letter + margin},
+                       {low.x + width + margin, low.y + 1.8f * letter + margin},
                        ImGui::GetColorU32(ImVec4(0, 0, 0, 0.5f)), ImGui::GetStyle().FrameRounding);
     const ImU32 text = ImGui::GetColorU32(palette::text);
     list.AddText({low.x, low.y - letter * 1.2f}, text, legend.title.c_str());
     for (int i = 0; i < bar_steps; ++i) {
-        const float step = breadth / bar_steps, x = low.x + step * static_cast<float>(i);
+        const float step = width / bar_steps, x = low.x + step * static_cast<float>(i);
         list.AddRectFilled({x, low.y}, {x + step + 0.5f, low.y + 0.6f * letter},
                            legend.colour(static_cast<float>(i) / (bar_steps - 1)));
     }
     list.AddText({low.x, low.y + 0.8f * letter}, text, legend.low.c_str());
-    list.AddText({low.x + breadth - text_breadth(legend.high), low.y + 0.8f * letter}, text,
-                 legend.high.c_str());
+    list.AddText({low.x + width - text_width(legend.high), low.y + 0.8f * letter}, text, legend.high.c_str());
 }
 
 }  // namespace nacre::ui

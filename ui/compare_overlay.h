@@ -8,7 +8,7 @@
 
 namespace nacre::ui {
 
-// A line down the area that can be dragged; `divider` is its part of the breadth. To be called before the
+// A line down the area that can be dragged; `divider` is its part of the width. To be called before the
 // widget that fills the area, which the line lies upon.
 void divider_handle(double& divider, ImVec2 corner, ImVec2 size);
 void draw_divider(double divider, ImVec2 corner, ImVec2 size);

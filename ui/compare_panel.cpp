@@ -29,12 +29,12 @@ constexpr ViewChoice views[] = {
 
 void view_row(CompareView& view) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float breadth = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     for (const ViewChoice& choice : views) {
         if (choice.view != CompareView::off) ImGui::SameLine(0, gap);
         const bool chosen = choice.view == view;
         if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
-        if (ImGui::Button(choice.label, ImVec2(breadth, 0))) view = choice.view;
+        if (ImGui::Button(choice.label, ImVec2(width, 0))) view = choice.view;
         if (chosen) ImGui::PopStyleColor();
         note_item(std::string("View ") + choice.label);
         tooltip_for_item(choice.about);

@@ -9,13 +9,13 @@
 namespace nacre::ui {
 namespace {
 
-constexpr double angle_most = 180;                  // degrees
-constexpr double angle_gap = 0.01;                  // degrees between neighbours
-constexpr double headroom = 1.25;                   // above the highest point; ...
-constexpr double log_headroom = 2;                  // ... on logarithmic heights
-constexpr int decades_least = 4, decades_most = 8;  // below the highest point's own
-constexpr int marks_most = 10;
-constexpr std::size_t points_least = 2;
+constexpr double angle_max = 180;                // degrees
+constexpr double angle_gap = 0.01;               // degrees between neighbours
+constexpr double headroom = 1.25;                // above the highest point; ...
+constexpr double log_headroom = 2;               // ... on logarithmic heights
+constexpr int decades_min = 4, decades_max = 8;  // below the highest point's own
+constexpr int marks_max = 10;
+constexpr std::size_t points_min = 2;
 
 double decade_below(double value) { return std::pow(10, std::floor(std::log10(value))); }
 
@@ -42,7 +42,7 @@ double CurveAxes::value(double height) const {
 std::vector<double> CurveAxes::marks() const {
     std::vector<double> values;
     const double step = round_step(top);
-    for (int i = 0; i < marks_most; ++i) {
+    for (int i = 0; i < marks_max; ++i) {
         const double value = logarithmic() ? least * std::pow(10, i) : step * (i + 1);
         if (value < top) values.push_back(value);
     }
@@ -56,13 +56,13 @@ CurveAxes axes_for(const CurvePoints& points, bool logarithmic, double angle_end
         if (value > 0) lowest = std::min(lowest, value);
     }
     CurveAxes axes;
-    axes.angle_end = angle_end == 90 && !points.empty() && points.back().first > 90 ? angle_most : angle_end;
+    axes.angle_end = angle_end == 90 && !points.empty() && points.back().first > 90 ? angle_max : angle_end;
     if (highest <= 0) highest = lowest = 1;
     axes.top = highest * (logarithmic ? log_headroom : headroom);
     if (!logarithmic) return axes;
     const double decade = decade_below(highest);
-    axes.least = std::max(std::min(decade_below(lowest), decade * std::pow(10, -decades_least)),
-                          decade * std::pow(10, -decades_most));
+    axes.least = std::max(std::min(decade_below(lowest), decade * std::pow(10, -decades_min)),
+                          decade * std::pow(10, -decades_max));
     return axes;
 }
 
@@ -80,7 +80,7 @@ double curve_value(const CurvePoints& points, double angle) {
 
 std::pair<double, double> angle_room(const CurvePoints& points, std::size_t index) {
     return {index == 0 ? 0 : points[index - 1].first + angle_gap,
-            index + 1 == points.size() ? angle_most : points[index + 1].first - angle_gap};
+            index + 1 == points.size() ? angle_max : points[index + 1].first - angle_gap};
 }
 
 void set_point(CurvePoints& points, std::size_t index, std::pair<double, double> to) {
@@ -93,7 +93,7 @@ std::optional<std::size_t> add_point(CurvePoints& points, std::pair<double, doub
     if (points.size() >= std::size_t{limits::curve_points_max}) return {};
     const auto after = std::upper_bound(points.begin(), points.end(), point);
     const double least = after == points.begin() ? 0 : (after - 1)->first + angle_gap;
-    const double most = after == points.end() ? angle_most : after->first - angle_gap;
+    const double most = after == points.end() ? angle_max : after->first - angle_gap;
     if (least > most) return {};
     const auto index = static_cast<std::size_t>(after - points.begin());
     points.insert(after, point);
@@ -102,7 +102,7 @@ std::optional<std::size_t> add_point(CurvePoints& points, std::pair<double, doub
 }
 
 bool remove_point(CurvePoints& points, std::size_t index) {
-    if (points.size() <= points_least || index >= points.size()) return false;
+    if (points.size() <= points_min || index >= points.size()) return false;
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
     return true;
 }

@@ -11,7 +11,7 @@
 namespace nacre::ui {
 namespace {
 
-constexpr double pixels_most = 2048;  // a side: four samples a pixel are drawn at once
+constexpr double pixels_max = 2048;  // a side: four samples a pixel are drawn at once
 
 void format_list(ExportDialog& dialog) {
     for (std::size_t i = 0; i < dialog.formats.size(); ++i) {
@@ -27,9 +27,9 @@ void format_list(ExportDialog& dialog) {
 void pixel_row(const char* label, double& pixels) {
     slider({.label = label,
             .low = 64,
-            .high = pixels_most,
+            .high = pixels_max,
             .least = 16,
-            .most = pixels_most,
+            .most = pixels_max,
             .reset = 1024,
             .format = "%.0f px",
             .logarithmic = false,
@@ -46,7 +46,7 @@ void options(ExportDialog& dialog) {
         return;
     }
     slider(
-        {.label = "Error allowed",
+        {.label = "Error tolerance",
          .low = 1e-4,
          .high = 1e-2,
          .least = 1e-5,
@@ -55,8 +55,9 @@ void options(ExportDialog& dialog) {
          .format = "%.1e",
          .logarithmic = true,
          .tooltip =
-             "The error that the tables are made for: of the projected area g in parts of itself, of the "
-             "albedo R in parts of the light that falls in. Smaller errors need larger tables; all of them "
+             "The error that the tables are made for: the relative error of the projected area g, and that "
+             "of the "
+             "albedo R as a fraction of the incident light. Smaller errors need larger tables; all of them "
              "together take 64 KiB at the most, or 256 KiB where that does not suffice."},
         dialog.tolerance);
     if (dialog.formats[dialog.chosen].has_names)
@@ -86,7 +87,7 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2 * width - ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
     DialogAnswer answer = DialogAnswer::none;
-    if (button("Choose file\u2026##Choose export file", sound ? "Where it goes." : reason.c_str(), sound,
+    if (button("Choose file\u2026##Choose export file", sound ? "Destination." : reason.c_str(), sound,
                width))
         answer = DialogAnswer::accepted;
     ImGui::PopStyleColor();

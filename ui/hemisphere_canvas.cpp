@@ -101,7 +101,7 @@ void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasCont
     const std::string least =
         contents.scale.logarithmic ? fmt::format("{:.2g}", contents.scale.value(0)) : "0";
     const std::string most = fmt::format("{:.3g} /sr", contents.scale.peak);
-    const float bar = left + ImGui::CalcTextSize(least.c_str()).x + size * 0.5f, breadth = size * 6;
+    const float bar = left + ImGui::CalcTextSize(least.c_str()).x + size * 0.5f, width = size * 6;
     std::string text = readout(state, frame, contents);
     Colour colour = palette::text;
     if (text.empty() && contents.p) {
@@ -115,11 +115,11 @@ void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasCont
     const float text_left = right - ImGui::CalcTextSize(text.c_str()).x;
     text_at({text_left, top}, text, colour);
     // Where the canvas is narrow the numbers go first.
-    const float bar_end = bar + breadth + size * 0.5f + ImGui::CalcTextSize(most.c_str()).x;
+    const float bar_end = bar + width + size * 0.5f + ImGui::CalcTextSize(most.c_str()).x;
     if (!text.empty() && bar_end + size * 0.5f > text_left) return;
     text_at({left, top}, least, palette::text_dim);
-    colour_bar({bar, top + size * 0.15f}, {bar + breadth, top + size * 0.95f}, frame, contents);
-    text_at({bar + breadth + size * 0.5f, top}, most, palette::text_dim);
+    colour_bar({bar, top + size * 0.15f}, {bar + width, top + size * 0.95f}, frame, contents);
+    text_at({bar + width + size * 0.5f, top}, most, palette::text_dim);
 }
 
 }  // namespace

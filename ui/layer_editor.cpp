@@ -62,7 +62,7 @@ bool modulation(Layer& layer) {
          .logarithmic = false,
          .tooltip =
              "How much of the picture multiplies the lobe: p times (1 \u2212 strength + strength \u00b7 "
-             "picture), made 1 in all again."},
+             "picture), renormalised to integrate to 1."},
         layer.modulation->strength);
     if (button("Remove picture##Remove modulation", "Leave the lobe as it is without the picture.")) {
         layer.modulation.reset();

@@ -70,10 +70,10 @@ const char* title_of(const Layer& layer) {
 }
 
 // The name as a field, until Enter, Escape or a click elsewhere.
-bool name_field(LayersView& view, Layer& layer, std::size_t index, float breadth) {
+bool name_field(LayersView& view, Layer& layer, std::size_t index, float width) {
     LayersView::Rename& rename = *view.rename;
     if (!rename.begun) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(breadth);
+    ImGui::SetNextItemWidth(width);
     const bool changed = ImGui::InputTextWithHint("##name", kind_label(layer.lobe), &layer.name,
                                                   ImGuiInputTextFlags_AutoSelectAll);
     note_item(name_of(index) + " name");

@@ -38,7 +38,7 @@ bool add_button(LayersView& view, Layers& layers) {
 bool list_buttons(LayersView& view, Layers& layers) {
     bool changed = add_button(view, layers);
     const auto action_button = [&](const char* label, const char* text, LayerAction action) {
-        stay_on_line(button_breadth(label), ImGui::GetStyle().ItemSpacing.x);
+        stay_on_line(button_width(label), ImGui::GetStyle().ItemSpacing.x);
         if (button(label, text, possible(action, view.chosen, layers.size())))
             changed |= act(action, view, layers);
     };

@@ -37,7 +37,7 @@ void paint_box(ImFontAtlas& atlas, const ImFontAtlasCustomRect& box) {
 }
 
 void add_boxes(ImFont& font, const ImFontAtlas& atlas, const ImFontAtlasCustomRect& box) {
-    const float breadth = box.Width, height = box.Height;
+    const float width = box.Width, height = box.Height;
     const float u = 1 / static_cast<float>(atlas.TexWidth), v = 1 / static_cast<float>(atlas.TexHeight);
     const float bottom = std::round(font.Ascent);
     font.Glyphs.reserve(static_cast<int>(last));
@@ -50,8 +50,8 @@ void add_boxes(ImFont& font, const ImFontAtlas& atlas, const ImFontAtlasCustomRe
         }
         const float x = box.X + static_cast<float>(c & 255) / steps_a_texel;
         const float y = box.Y + static_cast<float>(c >> 8) / steps_a_texel;
-        font.AddGlyph(nullptr, character, 0, bottom - height, breadth, bottom, x * u, y * v,
-                      (x + breadth) * u, (y + height) * v, breadth);
+        font.AddGlyph(nullptr, character, 0, bottom - height, width, bottom, x * u, y * v, (x + width) * u,
+                      (y + height) * v, width);
     }
     font.FallbackChar = static_cast<ImWchar>(last);
     font.BuildLookupTable();

@@ -10,7 +10,7 @@
 namespace nacre::ui {
 namespace {
 
-constexpr float lines_least = 4;
+constexpr float lines_min = 4;
 
 // The text as it reads. Returns whether it was clicked.
 bool wrapped_text(const std::string& text) {
@@ -20,7 +20,7 @@ bool wrapped_text(const std::string& text) {
     const char* shown = text.empty() ? "Click to write down where this comes from." : text.c_str();
     const float wrap = width - 2 * padding.x;
     const float text_height = ImGui::CalcTextSize(shown, nullptr, false, wrap).y;
-    const float height = std::max(text_height, lines_least * ImGui::GetTextLineHeight()) + 2 * padding.y;
+    const float height = std::max(text_height, lines_min * ImGui::GetTextLineHeight()) + 2 * padding.y;
     const bool clicked = ImGui::InvisibleButton("##Note text", ImVec2(width, height));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, ImGui::GetItemRectMax(),
@@ -44,7 +44,7 @@ bool note_field(std::string& text) {
         if (wrapped_text(text)) storage.SetInt(key, beginning);
     } else {
         if (state == beginning) ImGui::SetKeyboardFocusHere();
-        const ImVec2 size(-FLT_MIN, (lines_least + 2) * ImGui::GetTextLineHeight());
+        const ImVec2 size(-FLT_MIN, (lines_min + 2) * ImGui::GetTextLineHeight());
         changed = ImGui::InputTextMultiline("##Note editor", &text, size);
         if (ImGui::IsItemActive())
             storage.SetInt(key, editing);

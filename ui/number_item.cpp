@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* item_label = "##value";
 constexpr double complaint_seconds = 8;
-constexpr float complaint_ems = 17;  // breadth of its text
+constexpr float complaint_ems = 17;  // width of its text
 
 // Only one field at a time has the keyboard, and only one the mouse.
 struct Typing {
@@ -108,10 +108,10 @@ void draw_complaint(const ImRect& box, const std::string& name) {
         complaint = {};
         return;
     }
-    const float size = ImGui::GetFontSize(), breadth = complaint_ems * size;
+    const float size = ImGui::GetFontSize(), width = complaint_ems * size;
     const char* text = complaint.text.c_str();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    const ImVec2 extent = ImGui::CalcTextSize(text, nullptr, false, breadth);
+    const ImVec2 extent = ImGui::CalcTextSize(text, nullptr, false, width);
     const float right = ImGui::GetMainViewport()->Size.x - extent.x - 2 * padding.x;
     const ImVec2 low(std::max(std::min(box.Min.x, right), 0.0f), box.Max.y + scaled(2));
     const ImVec2 high(low.x + extent.x + 2 * padding.x, low.y + extent.y + 2 * padding.y);
@@ -120,7 +120,7 @@ void draw_complaint(const ImRect& box, const std::string& name) {
     list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_PopupBg), rounding);
     list.AddRect(low, high, ImGui::GetColorU32(palette::red), rounding);
     list.AddText(ImGui::GetFont(), size, {low.x + padding.x, low.y + padding.y},
-                 ImGui::GetColorU32(palette::red), text, nullptr, breadth);
+                 ImGui::GetColorU32(palette::red), text, nullptr, width);
     note_part(name + " problem", low, high);
 }
 

@@ -60,12 +60,12 @@ void PlotPenOnScreen::text(glm::dvec2 left_middle, const std::string& text, Ink 
                   ImGui::GetColorU32(colour_of(ink)), text.c_str());
 }
 
-void PlotPenOnScreen::line(std::span<const glm::dvec2> points, Ink ink, double breadth) {
+void PlotPenOnScreen::line(std::span<const glm::dvec2> points, Ink ink, double width) {
     std::vector<ImVec2> places;
     places.reserve(points.size());
     for (const glm::dvec2& point : points) places.push_back(screen(point));
     list_.AddPolyline(places.data(), static_cast<int>(places.size()), ImGui::GetColorU32(colour_of(ink)), 0,
-                      static_cast<float>(breadth));
+                      static_cast<float>(width));
 }
 
 void PlotPenOnScreen::disc(glm::dvec2 middle, double radius, Ink ink) {

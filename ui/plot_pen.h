@@ -15,7 +15,7 @@ class PlotPenOnScreen final : public PlotPen {
     double em() const override;
     double text_width(const std::string& text) const override;
     void text(glm::dvec2 left_middle, const std::string& text, Ink ink) override;
-    void line(std::span<const glm::dvec2> points, Ink ink, double breadth) override;
+    void line(std::span<const glm::dvec2> points, Ink ink, double width) override;
     void disc(glm::dvec2 middle, double radius, Ink ink) override;
     void mesh(std::span<const glm::dvec2> corners, std::span<const glm::u8vec3> colours,
               std::span<const Cell> cells) override;

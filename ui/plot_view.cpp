@@ -10,12 +10,12 @@ namespace nacre::ui {
 namespace {
 
 constexpr double degrees_per_pixel = 0.4;
-constexpr double zoom_per_notch = 1.15, zoom_most = 20;
+constexpr double zoom_per_notch = 1.15, zoom_max = 20;
 constexpr double angle_step = 0.1;  // degrees, of a drag
 
 void drag_light(PlotSettings& settings, const PlotLayout& layout, glm::dvec2 pixel) {
     const double angle = std::round(std::fabs(lobe_angle(layout, pixel)) / angle_step) * angle_step;
-    settings.incidence = std::min(angle, incidence_most);
+    settings.incidence = std::min(angle, incidence_max);
 }
 
 void turn_shape(ShapeView& view) {
@@ -28,7 +28,7 @@ void turn_shape(ShapeView& view) {
     if (!ImGui::IsItemHovered()) return;
     if (io.MouseWheel != 0)
         view.zoom = std::clamp(view.zoom * std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)), 1.0,
-                               zoom_most);
+                               zoom_max);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) view = {};
 }
 

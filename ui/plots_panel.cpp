@@ -18,11 +18,11 @@ std::string label_of(PlotKind kind) { return std::string(info(kind).label) + "##
 
 float padded(const char* text) { return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x; }
 
-float kinds_breadth() {
-    float breadth = 0;
+float kinds_width() {
+    float width = 0;
     for (const PlotKind kind : plot_kinds)
-        breadth += padded(info(kind).label) + ImGui::GetStyle().ItemInnerSpacing.x;
-    return breadth;
+        width += padded(info(kind).label) + ImGui::GetStyle().ItemInnerSpacing.x;
+    return width;
 }
 
 void kind_buttons(PlotsState& state) {
@@ -36,9 +36,9 @@ void kind_buttons(PlotsState& state) {
 }
 
 // In place of the buttons where they have no room.
-void kind_menu(PlotsState& state, float breadth) {
+void kind_menu(PlotsState& state, float width) {
     const PlotInfo& chosen = info(state.settings.kind);
-    ImGui::SetNextItemWidth(breadth);
+    ImGui::SetNextItemWidth(width);
     const bool open = ImGui::BeginCombo("##Plot kind", chosen.label);
     note_item("Plot kind");
     tooltip_for_item(chosen.about);
@@ -61,7 +61,7 @@ bool header(PlotsState& state, bool has_plot) {
     const float tools = padded("Log") + padded("Save plot\u2026") + cross + 2 * gap;
     const float right = ImGui::GetWindowContentRegionMax().x;
     const float room = right - ImGui::GetCursorPosX() - tools - 2 * gap;
-    if (kinds_breadth() <= room)
+    if (kinds_width() <= room)
         kind_buttons(state);
     else
         kind_menu(state, std::max(std::min(room, ImGui::GetFontSize() * 10), 1.0f));
@@ -118,8 +118,8 @@ PlotsAnswer plots_panel(PlotsState& state, const PlotsContents& contents) {
     answer.save = header(state, contents.plot != nullptr);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     if (has_settings(info(state.settings.kind))) {
-        const float breadth = std::min(ImGui::GetFontSize() * 19, room.x * 0.4f);
-        ImGui::BeginChild("plot settings", ImVec2(breadth, room.y));
+        const float width = std::min(ImGui::GetFontSize() * 19, room.x * 0.4f);
+        ImGui::BeginChild("plot settings", ImVec2(width, room.y));
         settings_column(state.settings);
         ImGui::EndChild();
         ImGui::SameLine(0, ImGui::GetFontSize() * 1.4f);
@@ -134,10 +134,10 @@ PlotsAnswer plots_panel(PlotsState& state, const PlotsContents& contents) {
 float plots_switch_width() { return ImGui::CalcTextSize("Plots").x + ImGui::GetFontSize() * 1.3f; }
 
 void plots_switch(PlotsState& state) {
-    const float size = ImGui::GetFontSize(), breadth = plots_switch_width();
-    ImGui::SameLine(ImGui::GetWindowWidth() - breadth - ImGui::GetStyle().WindowPadding.x);
+    const float size = ImGui::GetFontSize(), width = plots_switch_width();
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton("Plots", ImVec2(breadth, size))) state.open = !state.open;
+    if (ImGui::InvisibleButton("Plots", ImVec2(width, size))) state.open = !state.open;
     note_item("Plots");
     tooltip_for_item("Open or close the plots: albedo, masking, p, Fresnel, the lobe and the slice.");
     const Colour& colour = state.open               ? palette::accent_bright

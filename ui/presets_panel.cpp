@@ -9,16 +9,15 @@
 namespace nacre::ui {
 namespace {
 
-constexpr float tile_ems = 6.2f;  // least breadth, text sizes
+constexpr float tile_ems = 6.2f;  // least width, text sizes
 constexpr float name_lines = 2;
 
 // A picture with its name below. Returns whether it was clicked.
-bool tile(const PresetTile& shown, float breadth, bool chosen) {
+bool tile(const PresetTile& shown, float width, bool chosen) {
     const float line = ImGui::GetTextLineHeight(), pad = line * 0.3f;
-    const float picture = breadth - 2 * pad;
+    const float picture = width - 2 * pad;
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const bool clicked =
-        ImGui::InvisibleButton("tile", ImVec2(breadth, picture + name_lines * line + 3 * pad));
+    const bool clicked = ImGui::InvisibleButton("tile", ImVec2(width, picture + name_lines * line + 3 * pad));
     note_item("Preset " + as_label(shown.name));
     tooltip_for_item(("Begin a new design as \u201c" + shown.name + "\u201d.").c_str());
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -37,7 +36,7 @@ bool tile(const PresetTile& shown, float breadth, bool chosen) {
     const ImVec2 text = ImGui::CalcTextSize(name, nullptr, false, picture);
     list.PushClipRect(low, high, true);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
-                 {low.x + (breadth - std::min(text.x, picture)) / 2, end.y + pad},
+                 {low.x + (width - std::min(text.x, picture)) / 2, end.y + pad},
                  ImGui::GetColorU32(palette::text), name, nullptr, picture);
     list.PopClipRect();
     return clicked;
@@ -51,12 +50,12 @@ std::optional<std::size_t> presets_panel(std::span<const PresetTile> tiles,
     if (tiles.empty()) dim_text("No presets were found.");
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const int columns = std::max(1, static_cast<int>((room + gap) / (tile_ems * ImGui::GetFontSize() + gap)));
-    const float breadth = (room + gap) / static_cast<float>(columns) - gap;
+    const float width = (room + gap) / static_cast<float>(columns) - gap;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
         ImGui::PushID(static_cast<int>(i));
-        if (tile(tiles[i], breadth, current == i)) clicked = i;
+        if (tile(tiles[i], width, current == i)) clicked = i;
         ImGui::PopID();
     }
     ImGui::PopStyleVar();

@@ -43,7 +43,7 @@ SheetGroup& group(std::vector<SheetGroup>& groups, std::string_view title) {
     return groups.back();
 }
 
-float keys_breadth(const SheetGroup& shown) {
+float keys_width(const SheetGroup& shown) {
     float most = 0;
     for (const SheetLine& line : shown.lines) most = std::max(most, ImGui::CalcTextSize(line.keys.c_str()).x);
     return most + ImGui::GetFontSize() * 0.8f;
@@ -51,7 +51,7 @@ float keys_breadth(const SheetGroup& shown) {
 
 void draw_group(const SheetGroup& shown) {
     heading(shown.title.c_str());
-    const float keys = keys_breadth(shown), left = ImGui::GetCursorPosX();
+    const float keys = keys_width(shown), left = ImGui::GetCursorPosX();
     for (const SheetLine& line : shown.lines) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette::accent_bright);
         ImGui::TextUnformatted(line.keys.c_str());

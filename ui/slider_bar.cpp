@@ -32,11 +32,11 @@ struct NumberPlace {
 NumberPlace number_place(const SliderSpec& spec, double value, const NumberItem& item, float margin) {
     NumberPlace place{};
     std::snprintf(place.text, sizeof(place.text), spec.format, value);
-    const float breadth = ImGui::CalcTextSize(place.text).x;
-    const float centred = item.low.x + (item.high.x - item.low.x - breadth) / 2;
-    const float at_right = item.high.x - ImGui::GetStyle().FramePadding.x - margin - breadth;
+    const float width = ImGui::CalcTextSize(place.text).x;
+    const float centred = item.low.x + (item.high.x - item.low.x - width) / 2;
+    const float at_right = item.high.x - ImGui::GetStyle().FramePadding.x - margin - width;
     place.begin = std::max(at_right, std::min(centred, item.low.x + margin));
-    place.end = place.begin + breadth;
+    place.end = place.begin + width;
     return place;
 }
 

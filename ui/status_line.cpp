@@ -44,7 +44,7 @@ std::string list_of(const std::vector<std::string>& left_out) {
 
 void tables_parts(const TablesStatus& baked) {
     part("Quality", baked.quality, palette::text_dim,
-         "A draft follows the hand, within some parts in a hundred; the final tables come when it rests, "
+         "A draft follows the hand, within a few percent; the final tables come when it rests, "
          "within a thousandth or as near as they can.");
     next_part("Draft");
     part("Validity", baked.validity, baked.valid ? palette::text_dim : palette::amber,
@@ -55,7 +55,7 @@ void tables_parts(const TablesStatus& baked) {
                "facets show more area than the surface has. While Keep energy is on, visibility is held "
                "at 1 there, so nothing reflects more than it gets, but the highlight is dimmer on that "
                "side. Balance and Straighten bring the mean to n.");
-    next_part("p leans 90.0\u00b0");
+    next_part("mean normal tilted 90.0\u00b0");
     part("Left out", std::to_string(baked.left_out.size()) + " left out", palette::text_dim, nullptr);
     if (ImGui::IsItemHovered()) tooltip_for_item(list_of(baked.left_out).c_str());
     next_part("10 left out");
@@ -64,7 +64,7 @@ void tables_parts(const TablesStatus& baked) {
         "What was baked for this picture: nodes of each table along the angle from the normal and around it; "
         "the symmetry that was used; memory; the time it took; and "
         "the worst errors, measured between the nodes: of the projected area g(k) = \u222b max(h\u00b7k, 0) "
-        "p(h) dh, in parts of itself, and of the albedo R(k), in parts of the light that falls in.");
+        "p(h) dh, relative, and of the albedo R(k), as a fraction of the incident light.");
 }
 
 // Draws only left of `right`, pixels from the window's left.

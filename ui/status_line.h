@@ -22,7 +22,7 @@ struct Status {
     std::string problem;  // in plain words; stands before everything else
     std::string warning;  // what should be known though the work goes on; in place of the message
     bool working = false;
-    float kept_free = 0;  // breadth at the right end, pixels
+    float kept_free = 0;  // width at the right end, pixels
 };
 
 float status_height();

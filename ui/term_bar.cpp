@@ -46,7 +46,7 @@ void list(Term& term, bool factors) {
 void term_bar(Term& term, bool factors) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float needed = 2 * gap;
-    for (const TermInfo& candidate : all_terms()) needed += button_breadth(candidate.label) + gap;
+    for (const TermInfo& candidate : all_terms()) needed += button_width(candidate.label) + gap;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});
     if (needed > ImGui::GetContentRegionAvail().x) return list(term, factors);
     for (const TermInfo& candidate : all_terms()) {

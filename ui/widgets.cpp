@@ -15,18 +15,18 @@
 namespace nacre::ui {
 namespace {
 
-constexpr float label_ems = 8.4f;       // breadth of the label column in text sizes
-constexpr float tooltip_ems = 25;       // breadth of a tooltip's text
+constexpr float label_ems = 8.4f;       // width of the label column in text sizes
+constexpr float tooltip_ems = 25;       // width of a tooltip's text
 constexpr float tooltip_delay = 0.45f;  // seconds of rest before a field explains itself
 
 // Broken at blanks alone: Dear ImGui would break a number at its decimal point.
-std::string broken_at_blanks(const std::string& text, float breadth) {
+std::string broken_at_blanks(const std::string& text, float width) {
     std::string broken;
     std::size_t line = 0;  // where the last one begins
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find(' ', at + 1), text.size());
         const std::string word = text.substr(at, end - at);
-        const bool fits = ImGui::CalcTextSize((broken.substr(line) + word).c_str()).x <= breadth;
+        const bool fits = ImGui::CalcTextSize((broken.substr(line) + word).c_str()).x <= width;
         if (!fits && broken.size() > line) {
             broken += '\n';
             line = broken.size();
@@ -158,13 +158,13 @@ bool text_field(const char* label, std::string& text, const char* hint, const ch
     return changed;
 }
 
-void stay_on_line(float breadth, float gap) {
-    const float right = ImGui::GetItemRectMax().x + gap + breadth;
+void stay_on_line(float width, float gap) {
+    const float right = ImGui::GetItemRectMax().x + gap + width;
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     if (right <= end) ImGui::SameLine(0, gap);
 }
 
-float button_breadth(const char* label) {
+float button_width(const char* label) {
     return ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 

@@ -35,18 +35,18 @@ bool combo(const char* label, int& index, std::span<const char* const> names, co
            std::span<const char* const> explanations = {});
 bool text_field(const char* label, std::string& text, const char* hint = "", const char* tooltip = nullptr);
 
-// Free text of several lines over the whole breadth: wrapped to read, a click edits it.
+// Free text of several lines over the whole width: wrapped to read, a click edits it.
 bool note_field(std::string& text);
 
 bool button(const char* label, const char* tooltip = nullptr, bool enabled = true, float width = 0);
-float button_breadth(const char* label);      // of one as broad as its text, pixels
-void stay_on_line(float breadth, float gap);  // for a widget of this breadth, if it fits there
+float button_width(const char* label);      // of one as broad as its text, pixels
+void stay_on_line(float width, float gap);  // for a widget of this width, if it fits there
 void heading(const char* text);
 // A foldable part of a panel, open at first.
 bool section(const char* label);
 void text_row(const char* label, const std::string& text);
 void dim_text(const std::string& text);
-// What is to be said of something that was read, one below the other over the whole breadth.
+// What is to be said of something that was read, one below the other over the whole width.
 void notes_row(std::span<const std::string> notes);
 
 // Draws the label column and leaves the cursor and the item width at the field. Returns whether a double

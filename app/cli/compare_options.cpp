@@ -20,14 +20,15 @@ constexpr float label_grey = 0.92f, line_grey = 0.75f;
 
 std::vector<std::string> opponent_names() {
     std::vector<std::string> names;
-    for (const Opponent& opponent : all_opponents()) names.push_back(name_of(opponent));
+    for (const ComparisonModel& comparison_model : all_comparison_models())
+        names.push_back(name_of(comparison_model));
     return names;
 }
 
 bool is_file(const std::string& name) { return fs::path(name).extension() == ".nacre"; }
 
 std::string known_opponent(const std::string& name) {
-    if (opponent_by_name(name) || is_file(name)) return {};
+    if (comparison_model_by_name(name) || is_file(name)) return {};
     return fmt::format("must be {}, or a .nacre file", fmt::join(opponent_names(), ", "));
 }
 
@@ -40,27 +41,29 @@ std::string title_of(const Design& design, const fs::path& file) {
     return one_line(design.name.empty() ? fs::path(name_of_input(file)).stem().string() : design.name);
 }
 
-Labelled bake_side(const Design& design, const std::string& file, const std::optional<Opponent>& opponent,
-                   const Scene& scene, const Interrupt& interrupt) {
+Labelled bake_side(const Design& design, const std::string& file,
+                   const std::optional<ComparisonModel>& comparison_model, const Scene& scene,
+                   const Interrupt& interrupt) {
     Progress progress("baking");
     Baker baker;
     const BakeOptions bake{.albedo = scene.ambient};
     return {about_file(file,
                        [&] {
-                           return bake_compared(baker, design, opponent, bake, interrupt.token(),
-                                                [&](double done) { progress.report(done); });
+                           return bake_for_comparison(baker, design, comparison_model, bake,
+                                                      interrupt.token(),
+                                                      [&](double done) { progress.report(done); });
                        }),
-            opponent ? label_of(*opponent) : title_of(design, file)};
+            comparison_model ? label_of(*comparison_model) : title_of(design, file)};
 }
 
 // A line down the divider and each side's name at its top.
 void label_sides(RenderedImage& image, double divider, const std::string& left, const std::string& right) {
     const int column = divider_column(image.size.x, divider);
-    const auto breadth = static_cast<std::size_t>(image.size.x);
+    const auto width = static_cast<std::size_t>(image.size.x);
     if (column > 0 && column < image.size.x)
         for (std::size_t row = 0; row < static_cast<std::size_t>(image.size.y); ++row)
-            std::fill_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(
-                                                3 * (row * breadth + static_cast<std::size_t>(column))),
+            std::fill_n(image.rgb.begin() +
+                            static_cast<std::ptrdiff_t>(3 * (row * width + static_cast<std::size_t>(column))),
                         3, line_grey);
     const int height = std::clamp(image.size.y / 28, 10, 28);
     const CaptionFont font(height);
@@ -73,10 +76,10 @@ void label_sides(RenderedImage& image, double divider, const std::string& left, 
     label(right, column, image.size.x);
 }
 
-std::string check_term(const Scene& scene, const Opponent& opponent) {
-    if (!is_factor(scene.term) || !std::holds_alternative<ClosedFormModel>(opponent)) return {};
+std::string check_term(const Scene& scene, const ComparisonModel& comparison_model) {
+    if (!is_factor(scene.term) || !std::holds_alternative<ClosedFormModel>(comparison_model)) return {};
     return fmt::format("--compare {}: this model has no factor {}; --term total, specular or diffuse",
-                       name_of(opponent), info(scene.term).name);
+                       name_of(comparison_model), info(scene.term).name);
 }
 
 RenderedImage difference_image(const RenderedPair& pair, const DifferenceLook& look, bool linear) {
@@ -114,20 +117,20 @@ void add_compare_options(Command& command, CompareOptions& options) {
 }
 
 std::optional<Design> design_beside(const CompareOptions& options) {
-    if (options.model.empty() || opponent_by_name(options.model)) return {};
+    if (options.model.empty() || comparison_model_by_name(options.model)) return {};
     return load_design(options.model);
 }
 
 ComparedImage render_comparison(const CompareOptions& options, const Design& design, const std::string& file,
                                 const std::optional<Design>& beside, const Scene& scene, glm::ivec2 size,
                                 bool linear, int samples, const Interrupt& interrupt) {
-    const std::optional<Opponent> opponent = opponent_by_name(options.model);
-    if (opponent)
-        if (const std::string problem = check_term(scene, *opponent); !problem.empty())
+    const std::optional<ComparisonModel> comparison_model = comparison_model_by_name(options.model);
+    if (comparison_model)
+        if (const std::string problem = check_term(scene, *comparison_model); !problem.empty())
             throw std::runtime_error(problem);
     const Labelled left = bake_side(design, file, {}, scene, interrupt);
-    const Labelled right =
-        bake_side(beside.value_or(design), opponent ? file : options.model, opponent, scene, interrupt);
+    const Labelled right = bake_side(beside.value_or(design), comparison_model ? file : options.model,
+                                     comparison_model, scene, interrupt);
     RenderedPair pair = render_pair(left.surface, right.surface, scene, size, linear, samples);
     const DifferenceNumbers& apart = pair.difference;
     std::string summary =

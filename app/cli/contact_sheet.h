@@ -9,7 +9,7 @@
 namespace nacre::cli {
 
 // Of one sheet: eight rows of eight are as many as a screen shows.
-inline constexpr std::size_t sheet_pictures_most = 64;
+inline constexpr std::size_t sheet_pictures_max = 64;
 
 class ContactSheet {
   public:
@@ -17,7 +17,7 @@ class ContactSheet {
     void add(std::string name, const RenderedImage& image);
 
     bool empty() const { return thumbnails_.empty(); }
-    bool full() const { return thumbnails_.size() >= sheet_pictures_most; }
+    bool full() const { return thumbnails_.size() >= sheet_pictures_max; }
 
     // The sheet of what was added, which is forgotten; one picture at least.
     RenderedImage take();

@@ -49,7 +49,7 @@ std::vector<fs::path> designs_in(const fs::path& folder) {
 // contact-sheet, contact-sheet-2 and so on.
 std::vector<std::string> sheets_of(std::size_t designs) {
     std::vector<std::string> names{sheet_name};
-    for (std::size_t i = 2; i <= (designs + sheet_pictures_most - 1) / sheet_pictures_most; ++i)
+    for (std::size_t i = 2; i <= (designs + sheet_pictures_max - 1) / sheet_pictures_max; ++i)
         names.push_back(fmt::format("{}-{}", sheet_name, i));
     return names;
 }

@@ -80,7 +80,7 @@ void declare(Command& command, Action& action) {
     command
         .option("--theta", options->settings.incidence,
                 of_kinds_with(&PlotSettings::incidence) + ": the angle of k1 from the normal")
-        .within(0.0, incidence_most)
+        .within(0.0, incidence_max)
         .shows_default();
     command
         .option("--phi", options->settings.azimuth,

@@ -53,7 +53,7 @@ Row read_tables(const Tables& tables, dvec3 k) {
     row.g = shading.projected_area(k, spot);
     if (row.g > 0) row.P = shading.masking({k, row.g, dvec3{0}});
     const auto albedo = shading.albedo_spot(k, spot);
-    const double full = shading.full_albedo(albedo), kept = shading.clamped_part(k, row.g);
+    const double full = shading.albedo_f1(albedo), kept = shading.clamped_part(k, row.g);
     row.R1 = full * kept;
     row.R0 = shading.fresnel_albedo(albedo, full, Shading<double>::schlick_weight(k.z), 0) * kept;
     return row;

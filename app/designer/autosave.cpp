@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/designer/kept_file.h"
+#include "app/designer/private_json_file.h"
 #include "core/base/error.h"
 #include "core/base/input_file.h"
 #include "core/base/json_text.h"
@@ -151,7 +151,7 @@ void Autosave::write(const Wanted& wanted) {
 
 // Another one where somebody has changed what the present one is.
 void Autosave::make_folder() {
-    if (!own_ || !own_->intact()) own_ = make_owned_folder(folder_);
+    if (!own_ || !own_->intact()) own_ = make_locked_directory(folder_);
 }
 
 void Autosave::submit(Wanted wanted) {
@@ -175,7 +175,7 @@ void Autosave::follow(const Document& document) {
         submit(UnsavedWork{newest, document.file, std::move(held)});
 }
 
-void Autosave::take_over(LostAndFound found) {
+void Autosave::take_over(RecoveredWork found) {
     if (folder_.empty()) return;
     job_.wait();
     try {

@@ -10,7 +10,7 @@
 
 #include "app/designer/document.h"
 #include "core/base/latest_job.h"
-#include "core/base/system/owned_folder.h"
+#include "core/base/system/locked_directory.h"
 
 namespace nacre {
 
@@ -22,9 +22,9 @@ struct UnsavedWork {
 };
 
 // What another process left behind, and where.
-struct LostAndFound {
+struct RecoveredWork {
     UnsavedWork work;
-    OwnedFolder folder;
+    LockedDirectory folder;
 };
 
 // More than sixteen layers of painted and modulated facets take.
@@ -58,7 +58,7 @@ class Autosave {
     void follow(const Document& document);
 
     // Work of another process becomes this one's in a single step. Waits for the writer.
-    void take_over(LostAndFound found);
+    void take_over(RecoveredWork found);
 
     // The clean end: the file goes, whatever is unsaved. Waits for the writer.
     void finish();
@@ -80,7 +80,7 @@ class Autosave {
 
     std::filesystem::path folder_;
     std::uintmax_t bytes_max_;
-    std::optional<OwnedFolder> own_;  // only the worker uses it while it is busy
+    std::optional<LockedDirectory> own_;  // only the worker uses it while it is busy
     Wanted wanted_;
     std::string problem_;
     std::uint64_t asked_ = 0, kept_ = 0;

@@ -17,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t names_most = 6;
+constexpr std::size_t names_max = 6;
 
 std::string names_of(const std::vector<FileChange>& changes) {
     std::string names;
-    for (std::size_t i = 0; i < std::min(changes.size(), names_most); ++i)
+    for (std::size_t i = 0; i < std::min(changes.size(), names_max); ++i)
         names += (i > 0 ? ", \u201c" : "\u201c") + changes[i].file.filename().string() + "\u201d";
-    if (changes.size() > names_most) names += fmt::format(" and {} more", changes.size() - names_most);
+    if (changes.size() > names_max) names += fmt::format(" and {} more", changes.size() - names_max);
     return names;
 }
 
@@ -75,7 +75,7 @@ std::vector<FileChange> ChangedPictures::take(bool gone) {
 std::optional<std::string> ChangedPictures::draw(Document& document, EnvironmentPanel& environment,
                                                  ObjectChooser& objects) {
     if (!problem_.empty()) {
-        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        if (ui::question("Cannot read the picture again", problem_, {"OK"})) problem_.clear();
         return {};
     }
     const bool gone =

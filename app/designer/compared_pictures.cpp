@@ -73,9 +73,9 @@ void ComparedPictures::draw_difference(Preview& now, const Scene& scene, glm::iv
     // The present design's own is kept at the size of the window, for the pointer.
     const SurfaceImage& object = side(own_[0] ? 0 : 1, now).surface(scene, texels);
     numbers_ = measure_difference(left, right, 4, [&](std::size_t pixel) {
-        const auto breadth = static_cast<std::size_t>(texels.x);
+        const auto width = static_cast<std::size_t>(texels.x);
         return object.covered(
-            {static_cast<int>(pixel % breadth), texels.y - 1 - static_cast<int>(pixel / breadth)});
+            {static_cast<int>(pixel % width), texels.y - 1 - static_cast<int>(pixel / width)});
     });
     const std::vector<float> rgb = difference_picture(left, right, 4, look);
     difference_.store(texels, GL_RGB8, GL_RGB, GL_FLOAT, rgb.data(), GL_LINEAR);

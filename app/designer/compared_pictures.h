@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/preview/preview.h"
-#include "core/compare/opponent.h"
+#include "core/compare/comparison_model.h"
 #include "core/compare/picture_difference.h"
 #include "ui/compare_panel.h"
 

@@ -7,25 +7,26 @@
 namespace nacre {
 namespace {
 
-// Ids of the choices: the present design, the opponents in their order, then snapshots as they are taken.
+// Ids of the choices: the present design, the comparison_models in their order, then snapshots as they are
+// taken.
 constexpr int present_id = 0, first_opponent = 1, first_snapshot = 100;
 
-std::optional<Opponent> opponent_of(int id) {
-    const std::vector<Opponent> all = all_opponents();
+std::optional<ComparisonModel> opponent_of(int id) {
+    const std::vector<ComparisonModel> all = all_comparison_models();
     const int index = id - first_opponent;
     if (index < 0 || index >= static_cast<int>(all.size())) return {};
     return all[static_cast<std::size_t>(index)];
 }
 
-int id_of(const Opponent& wanted) {
+int id_of(const ComparisonModel& wanted) {
     int id = first_opponent;
     while (*opponent_of(id) != wanted) ++id;
     return id;
 }
 
 bool is_model(int id) {
-    const auto opponent = opponent_of(id);
-    return opponent && std::holds_alternative<ClosedFormModel>(*opponent);
+    const auto comparison_model = opponent_of(id);
+    return comparison_model && std::holds_alternative<ClosedFormModel>(*comparison_model);
 }
 
 std::string letter_of(int number) {
@@ -78,8 +79,8 @@ std::string Comparison::label_of_side(int index) const {
     std::string label = "Now";
     if (const Snapshot* snapshot = snapshot_of(side(index)))
         label = title_of(*snapshot);
-    else if (const auto opponent = opponent_of(side(index)))
-        label = label_of(*opponent);
+    else if (const auto comparison_model = opponent_of(side(index)))
+        label = label_of(*comparison_model);
     return shown_[index] == side(index) ? label : label + " (baking\u2026)";
 }
 
@@ -92,19 +93,19 @@ std::vector<ui::SideChoice> Comparison::choices(const Scene& scene) const {
     for (const Snapshot& snapshot : snapshots_)
         all.push_back({snapshot.id, title_of(snapshot), "As it was when this snapshot was taken."});
     int id = first_opponent;
-    for (const Opponent& opponent : all_opponents()) {
+    for (const ComparisonModel& comparison_model : all_comparison_models()) {
         const bool model = is_model(id);
-        std::string about = citation_of(opponent) + ".\n";
+        std::string about = citation_of(comparison_model) + ".\n";
         about += model ? "The model whose facets lean as far as those of p, with the design's own Fresnel "
                          "factor and diffuse term."
                        : "The design's own p, with this masking in the place of its own.";
-        if (opponent == Opponent(ClosedFormModel::oren_nayar))
-            about = citation_of(opponent) +
+        if (comparison_model == ComparisonModel(ClosedFormModel::oren_nayar))
+            about = citation_of(comparison_model) +
                     ".\nA matt surface of rough facets, whose angles spread as those of p and which is as "
                     "bright as the design on the whole. It has no highlight.";
         const bool possible = !model || !is_factor(scene.term);
         if (!possible) about = "It is not made of factors: show All, Specular or Diffuse to compare with it.";
-        all.push_back({id++, label_of(opponent), about, possible});
+        all.push_back({id++, label_of(comparison_model), about, possible});
     }
     return all;
 }
@@ -148,7 +149,7 @@ void Comparison::follow_side(int index, const PresentDesign& present, const Scen
     if (asked_[index] != id) job.forget();
     asked_[index] = id;
     job.want({.design = snapshot ? snapshot->design : present.design,
-              .opponent = opponent_of(id),
+              .comparison_model = opponent_of(id),
               .albedo = scene.ambient,
               .settled = snapshot || present.settled});
     if (const auto surface = job.poll()) {

@@ -263,9 +263,9 @@ void draw_frame(Designer& designer) {
 
 bool in_motion(const Designer& designer) {
     return !designer.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
-           designer.plots.saving.in_motion() || designer.preview.gathering() || designer.files.has_answer() ||
-           designer.exporter.in_motion() || designer.pictures_of_preview.in_motion() ||
-           designer.thumbnails.busy();
+           designer.plots.saving.in_motion() || designer.preview.environment_accumulator() ||
+           designer.files.has_answer() || designer.exporter.in_motion() ||
+           designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();
 }
 
 void finish(Designer& designer) {

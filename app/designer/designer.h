@@ -19,14 +19,14 @@
 #include "app/designer/file_flow.h"
 #include "app/designer/file_watch.h"
 #include "app/designer/folder.h"
+#include "app/designer/image_import.h"
 #include "app/designer/layout.h"
 #include "app/designer/object_chooser.h"
-#include "app/designer/picture_drop.h"
-#include "app/designer/picture_taker.h"
 #include "app/designer/plots_pane.h"
 #include "app/designer/preview_pane.h"
 #include "app/designer/recent_files.h"
 #include "app/designer/recovery.h"
+#include "app/designer/screenshot_saver.h"
 #include "app/designer/settings.h"
 #include "app/designer/take_back.h"
 #include "app/designer/thumbnails.h"
@@ -62,12 +62,12 @@ struct Designer {
     FileFlow files;
     FileWatch watch;
     ChangedPictures changed_pictures;
-    PictureDrop pictures;
+    ImageImport pictures;
     EnvironmentPanel environment;
     PlotsPane plots;
     ObjectChooser objects;
     ExportFlow exporter;
-    PictureTaker pictures_of_preview;
+    ScreenshotSaver pictures_of_preview;
     Thumbnails thumbnails;
     bool panels = true;        // shown
     bool full_screen = false;  // wanted; the host makes it so

@@ -8,7 +8,7 @@ constexpr double scene_seconds = 0.015;
 constexpr double tables_seconds = 0.006;  // ... of which a draft and the canvas take most
 constexpr double resting_seconds = 0.04;  // a hitch that is not felt once nothing moves
 constexpr double divisor_step = 0.5,
-                 divisor_most = 3;  // a coarser picture no longer shows a narrow highlight
+                 divisor_max = 3;  // a coarser picture no longer shows a narrow highlight
 
 }  // namespace
 
@@ -22,7 +22,7 @@ DrawQuality choose_quality(double seconds_a_sample, glm::ivec2 pixels, Motion mo
                                : 1};
     const double budget = motion == Motion::tables ? tables_seconds : scene_seconds;
     double divisor = 1;
-    while (divisor < divisor_most && seconds / (divisor * divisor) > budget) divisor += divisor_step;
+    while (divisor < divisor_max && seconds / (divisor * divisor) > budget) divisor += divisor_step;
     return {.divisor = divisor, .supersample = 1};
 }
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 FileQuestion picture_question(const fs::path& folder) {
     return {.purpose = ui::FileDialog::Purpose::open,
-            .title = "Open surroundings",
+            .title = "Open environment map",
             .folder = folder,
             .kind = "Picture by latitude and longitude",
             .endings = {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".ppm", ".png", ".jpg", ".jpeg", ".webp",
@@ -108,7 +108,7 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
     ui::notes_row(surroundings.picture->notes);
     const Surroundings usual;
     ui::slider(
-        {.label = "Turn##Environment turn",
+        {.label = "Rotation##Environment rotation",
          .low = -180,
          .high = 180,
          .least = -360,
@@ -129,8 +129,8 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
                 .logarithmic = true,
                 .tooltip = "A factor of the light from all around."},
                surroundings.brightness);
-    ui::checkbox("Backdrop", surroundings.visible, "Shows the surroundings behind the object.");
-    ui::checkbox("Lights too", surroundings.with_lights,
+    ui::checkbox("Show as background", surroundings.visible, "Shows the surroundings behind the object.");
+    ui::checkbox("Keep scene lights", surroundings.with_lights,
                  "The lights below shine together with the surroundings.");
 }
 
@@ -149,7 +149,7 @@ void EnvironmentPanel::follow(Surroundings& surroundings) {
 
 void EnvironmentPanel::talk() {
     if (!problem_.empty()) {
-        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        if (ui::question("Cannot open the environment map", problem_, {"OK"})) problem_.clear();
         return;
     }
     const auto answer = chooser_.draw();

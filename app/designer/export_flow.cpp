@@ -184,7 +184,7 @@ std::optional<std::string> ExportFlow::draw(const Document& document, PreviewPan
         case Step::work:
             return draw_work();
         case Step::problem:
-            if (ui::question("That did not work", problem_, {"OK"})) step_ = Step::none;
+            if (ui::question("Cannot export", problem_, {"OK"})) step_ = Step::none;
             break;
     }
     return {};

@@ -58,7 +58,7 @@ void FileFlow::open_preset(Document& document, const fs::path& file) {
     lose_work_for(Next::open_preset, document);
 }
 
-void FileFlow::restore(Document& document, LostAndFound found) {
+void FileFlow::restore(Document& document, RecoveredWork found) {
     to_restore_ = std::move(found);
     lose_work_for(Next::restore, document);
 }
@@ -276,7 +276,7 @@ void FileFlow::draw_changed_question(Document& document) {
 
 void FileFlow::draw_questions(Document& document) {
     if (!problem_.empty()) {
-        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        if (ui::question("Cannot open or save", problem_, {"OK"})) problem_.clear();
     } else if (changed_) {
         draw_changed_question(document);
     } else if (asking_unsaved_) {

@@ -26,7 +26,7 @@ class FileFlow {
     void open_preset(Document& document, const std::filesystem::path& file);
     // Work of another process: the document becomes it once what is unsaved may go, and take_restored() hands
     // it out.
-    void restore(Document& document, LostAndFound found);
+    void restore(Document& document, RecoveredWork found);
     // Asks first where the file holds something else than the document knows of.
     void save(Document& document);
     void save_as(const Document& document);
@@ -61,7 +61,7 @@ class FileFlow {
     std::filesystem::path folder(const Document& document) const;
 
     // The restored work that the document has just become, once.
-    std::optional<LostAndFound> take_restored() { return std::exchange(restored_, std::nullopt); }
+    std::optional<RecoveredWork> take_restored() { return std::exchange(restored_, std::nullopt); }
 
   private:
     enum class Next { nothing, begin_new, show_open, open, open_preset, restore, quit };
@@ -83,7 +83,7 @@ class FileFlow {
     Memory memory_{};
     Next next_ = Next::nothing;  // once the present design may go
     std::filesystem::path to_open_;
-    std::optional<LostAndFound> to_restore_, restored_;
+    std::optional<RecoveredWork> to_restore_, restored_;
     bool asking_unsaved_ = false;
     FileChooser chooser_;
     bool saving_ = false;  // what the chooser was asked for

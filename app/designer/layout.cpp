@@ -14,9 +14,9 @@
 namespace nacre {
 namespace {
 
-constexpr float panel_most_part = 0.4f;  // of the window's breadth
-constexpr float grip_ems = 0.55f;        // breadth of what takes hold of a border, text sizes
-constexpr float drawer_most = 0.6f;      // of the height above the status line
+constexpr float panel_max_part = 0.4f;  // of the window's width
+constexpr float grip_ems = 0.55f;       // width of what takes hold of a border, text sizes
+constexpr float drawer_max = 0.6f;      // of the height above the status line
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoSavedSettings;
@@ -24,12 +24,12 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
 constexpr ImGuiWindowFlags beneath = ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 struct Column {
-    float left, top, breadth, height;
+    float left, top, width, height;
 };
 
 void draw_column(const char* name, const Column& column, const std::function<void()>& contents) {
     ImGui::SetNextWindowPos(ImVec2(column.left, column.top));
-    ImGui::SetNextWindowSize(ImVec2(column.breadth, column.height));
+    ImGui::SetNextWindowSize(ImVec2(column.width, column.height));
     ImGui::Begin(name, nullptr, fixed | beneath);
     contents();
     ImGui::End();
@@ -51,21 +51,21 @@ void draw_picture_column(const char* name, const Column& column, const std::func
 
 // The border at the left of a picture column: where it is dragged to, or `usual` by a double click.
 std::optional<float> draw_border(const char* name, const Column& column, float usual) {
-    const float breadth = std::round(grip_ems * ImGui::GetFontSize());
+    const float width = std::round(grip_ems * ImGui::GetFontSize());
     ImGui::SetNextWindowPos(ImVec2(column.left, column.top));
-    ImGui::SetNextWindowSize(ImVec2(breadth, column.height));
+    ImGui::SetNextWindowSize(ImVec2(width, column.height));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::Begin(name, nullptr,
                  fixed | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                      ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar(2);
-    ImGui::InvisibleButton(name, ImVec2(breadth, column.height));
+    ImGui::InvisibleButton(name, ImVec2(width, column.height));
     ui::note_item(name);
     ui::tooltip_for_item("Drag to give one side more room; a double click sets it back.");
     std::optional<float> moved;
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0)
-        moved = ImGui::GetIO().MousePos.x - breadth / 2;
+        moved = ImGui::GetIO().MousePos.x - width / 2;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) moved = usual;
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -79,18 +79,18 @@ std::optional<float> draw_border(const char* name, const Column& column, float u
 }
 
 // The border above the drawer. Returns by how much it was dragged up.
-float drawer_border(float left, float top, float breadth) {
+float drawer_border(float left, float top, float width) {
     const float reach = std::round(ImGui::GetFontSize() * 0.35f);
     ImGui::SetCursorScreenPos({left, top});
-    ImGui::InvisibleButton("drawer border", {breadth, reach});
+    ImGui::InvisibleButton("drawer border", {width, reach});
     ui::note_item("Plots border");
     ui::tooltip_for_item("Drag to give the plots more room.");
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     const ImVec4 colour = held || ImGui::IsItemHovered() ? ui::palette::accent : ui::palette::line;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect({left, top}, {left + breadth, top + reach});
-    list.AddLine({left, top + 1}, {left + breadth, top + 1}, ImGui::GetColorU32(colour),
+    list.PushClipRect({left, top}, {left + width, top + reach});
+    list.AddLine({left, top + 1}, {left + width, top + 1}, ImGui::GetColorU32(colour),
                  std::max(1.0f, reach * 0.25f));
     list.PopClipRect();
     return held ? -ImGui::GetIO().MouseDelta.y : 0;
@@ -99,20 +99,20 @@ float drawer_border(float left, float top, float breadth) {
 // Of `height`, which canvas and preview share with the drawer; 0 while it is closed.
 float drawer_height(const Layout& layout, const Parts& parts, float height) {
     if (!parts.drawer) return 0;
-    const float size = ImGui::GetFontSize(), most = std::round(height * drawer_most);
-    return std::clamp(std::round(layout.drawer * size), std::min(drawer_least * size, most), most);
+    const float size = ImGui::GetFontSize(), most = std::round(height * drawer_max);
+    return std::clamp(std::round(layout.drawer * size), std::min(drawer_min * size, most), most);
 }
 
 void draw_drawer(Layout& layout, const Parts& parts, const Column& column) {
     ImGui::SetNextWindowPos({column.left, column.top});
-    ImGui::SetNextWindowSize({column.breadth, column.height});
+    ImGui::SetNextWindowSize({column.width, column.height});
     // In front of the columns, whose own borders would else take the pointer a few pixels below them.
     constexpr ImGuiWindowFlags flags =
         fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::Begin("Drawer", nullptr, flags);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float up = drawer_border(column.left, column.top, column.breadth);
-    if (up != 0) layout.drawer = std::max((column.height + up) / ImGui::GetFontSize(), drawer_least);
+    const float up = drawer_border(column.left, column.top, column.width);
+    if (up != 0) layout.drawer = std::max((column.height + up) / ImGui::GetFontSize(), drawer_min);
     ImGui::SetCursorScreenPos(corner);
     parts.drawer();
     ImGui::End();
@@ -121,24 +121,24 @@ void draw_drawer(Layout& layout, const Parts& parts, const Column& column) {
 void draw_columns(Layout& layout, const Parts& parts, ImVec2 window, float top, float height) {
     const Layout usual;
     const float em = ImGui::GetFontSize();
-    const float widest = std::max(window.x * panel_most_part, 1.0f);
-    const auto panel_breadth = [&](float ems) { return std::min(std::round(ems * em), widest); };
-    const float panel = parts.panel ? panel_breadth(layout.panel) : 0,
+    const float widest = std::max(window.x * panel_max_part, 1.0f);
+    const auto panel_width = [&](float ems) { return std::min(std::round(ems * em), widest); };
+    const float panel = parts.panel ? panel_width(layout.panel) : 0,
                 beside = std::max(window.x - panel, 2.0f);
-    const float breadth = std::round(beside * std::clamp(layout.canvas, canvas_least, canvas_most));
+    const float width = std::round(beside * std::clamp(layout.canvas, canvas_min, canvas_max));
     const float below = drawer_height(layout, parts, height), upper = height - below;
-    const Column canvas{panel, top, breadth, upper};
-    const Column preview{panel + breadth, top, std::max(beside - breadth, 1.0f), upper};
+    const Column canvas{panel, top, width, upper};
+    const Column preview{panel + width, top, std::max(beside - width, 1.0f), upper};
     if (parts.panel) draw_column("Panel", {0, top, panel, height}, parts.panel);
     draw_picture_column("CanvasColumn", canvas, parts.canvas);
     draw_picture_column("PreviewColumn", preview, parts.preview);
     // After the preview, which takes in the newest tables.
     if (parts.drawer) draw_drawer(layout, parts, {panel, top + upper, beside, below});
     if (parts.panel)
-        if (const auto x = draw_border("Panel border", canvas, panel_breadth(usual.panel)))
-            layout.panel = std::clamp(*x / em, panel_least, panel_most);
+        if (const auto x = draw_border("Panel border", canvas, panel_width(usual.panel)))
+            layout.panel = std::clamp(*x / em, panel_min, panel_max);
     if (const auto x = draw_border("Canvas border", preview, panel + beside * usual.canvas))
-        layout.canvas = std::clamp((*x - panel) / beside, canvas_least, canvas_most);
+        layout.canvas = std::clamp((*x - panel) / beside, canvas_min, canvas_max);
 }
 
 }  // namespace

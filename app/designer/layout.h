@@ -7,14 +7,14 @@
 
 namespace nacre {
 
-inline constexpr float panel_least = 20, panel_most = 40;         // text sizes
-inline constexpr float canvas_least = 0.25f, canvas_most = 0.8f;  // of the breadth beside the panel
-inline constexpr float drawer_least = 14;                         // text sizes
+inline constexpr float panel_min = 20, panel_max = 40;         // text sizes
+inline constexpr float canvas_min = 0.25f, canvas_max = 0.8f;  // of the width beside the panel
+inline constexpr float drawer_min = 14;                        // text sizes
 
 // Where the borders stand, for windows and scales of any size: all that is worth keeping between runs.
 struct Layout {
-    float panel = 21.5f;   // breadth in text sizes
-    float canvas = 0.5f;   // part of the breadth beside the panel
+    float panel = 21.5f;   // width in text sizes
+    float canvas = 0.5f;   // part of the width beside the panel
     float drawer = 17.5f;  // height in text sizes; no more of it is shown than the window has room for
     bool operator==(const Layout&) const = default;
 };

@@ -37,8 +37,8 @@ void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialo
     const bool own = names_object(shelf_.wanted()) && fs::path(shelf_.wanted()).has_extension();
     const std::string file_label =
         (own ? ui::as_label(fs::path(shelf_.wanted()).filename().string()) : "OBJ\u2026") + "##OBJ file";
-    float needed = ui::button_breadth(file_label.c_str()) + 2 * gap;
-    for (const ObjectKind* kind : object_kinds()) needed += ui::button_breadth(kind->label) + gap;
+    float needed = ui::button_width(file_label.c_str()) + 2 * gap;
+    for (const ObjectKind* kind : object_kinds()) needed += ui::button_width(kind->label) + gap;
     if (needed > ImGui::GetContentRegionAvail().x)
         list(file_label, own, dialogs);
     else
@@ -92,7 +92,7 @@ void ObjectChooser::ask_file(const std::optional<DialogProgram>& dialogs) {
 
 void ObjectChooser::talk() {
     if (!problem().empty()) {
-        if (ui::question("That did not work", problem(), {"OK"})) shelf_.forget_problem();
+        if (ui::question("Cannot open the object", problem(), {"OK"})) shelf_.forget_problem();
         return;
     }
     const auto answer = chooser_.draw();

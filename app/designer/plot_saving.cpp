@@ -49,7 +49,7 @@ std::optional<std::string> PlotSaving::write(const fs::path& file) {
 
 std::optional<std::string> PlotSaving::draw_questions() {
     if (!problem_.empty()) {
-        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        if (ui::question("Cannot save the plot", problem_, {"OK"})) problem_.clear();
         return {};
     }
     const auto answer = ui::question("Overwrite?", overwrite_->filename().string() + " exists already.",

@@ -162,7 +162,7 @@ void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     }
     const bool moves = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
     const Pace pace = insist_on_best_ ? Pace::insisting : moves ? Pace::moving : Pace::resting;
-    const bool gathers = gathers_light(scene);
+    const bool gathers = uses_environment(scene);
     const double a_sample = seconds_a_sample_ + (gathers ? preview_.seconds_a_sample() : 0);
     const DrawQuality quality =
         insist_on_best_ ? best_quality : choose_quality(a_sample, size, moves ? last_motion_ : Motion::none);
@@ -176,7 +176,7 @@ void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
 
 void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace) {
     const glm::ivec2 texels = glm::max(glm::ivec2(glm::dvec2(size) / quality.divisor), glm::ivec2(1));
-    if (gathers_light(scene))
+    if (uses_environment(scene))
         gather(scene, texels, quality.supersample, pace);
     else
         measured_draw(scene, texels, quality.supersample);
@@ -199,7 +199,7 @@ void PreviewPane::gather(const Scene& scene, glm::ivec2 texels, int supersample,
     do {
         compared_.refine(preview_, gather_seconds, look);
     } while ((pace == Pace::moving && compared_.progress(preview_, look).samples == 0) ||
-             (pace == Pace::insisting && gathering()));
+             (pace == Pace::insisting && environment_accumulator()));
 }
 
 void PreviewPane::measured_draw(const Scene& scene, glm::ivec2 texels, int supersample) {

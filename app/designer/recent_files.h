@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/designer/kept_file.h"
+#include "app/designer/private_json_file.h"
 
 namespace nacre {
 
@@ -33,7 +33,7 @@ class RecentFiles {
     void read();
     void write();
 
-    KeptFile file_;
+    PrivateJsonFile file_;
     std::vector<std::filesystem::path> files_;
 };
 

@@ -20,7 +20,7 @@ struct Found {
 };
 
 // Nothing where the folder holds no work; it is removed then.
-std::optional<Found> work_in(OwnedFolder folder) {
+std::optional<Found> work_in(LockedDirectory folder) {
     const fs::path file = folder.file();
     const auto written = time_written(file);
     if (!written) {
@@ -45,13 +45,13 @@ void Recovery::look() {
     chosen_ = 0;
     if (folder_.empty()) return;
     std::vector<Found> all;
-    for (OwnedFolder& orphan : own_orphans(folder_))
+    for (LockedDirectory& orphan : claim_abandoned(folder_))
         if (auto found = work_in(std::move(orphan))) all.push_back(std::move(*found));
     std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.changed > b.changed; });
     for (Found& found : all) lost_.push_back(std::move(found.work));
 }
 
-std::optional<LostAndFound> Recovery::draw() {
+std::optional<RecoveredWork> Recovery::draw() {
     if (lost_.empty()) return {};
     std::vector<ui::RecoveryRow> rows;
     for (const LostWork& lost : lost_)
@@ -75,7 +75,7 @@ std::optional<LostAndFound> Recovery::draw() {
         return {};
     }
     try {
-        LostAndFound restored{read_autosave(chosen->folder.file()), std::move(chosen->folder)};
+        RecoveredWork restored{read_autosave(chosen->folder.file()), std::move(chosen->folder)};
         lost_.clear();
         problem_.clear();
         return restored;

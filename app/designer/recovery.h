@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "app/designer/autosave.h"
-#include "core/base/system/owned_folder.h"
+#include "core/base/system/locked_directory.h"
 
 namespace nacre {
 
 struct LostWork {
-    OwnedFolder folder;
+    LockedDirectory folder;
     std::string name;            // of the design
     std::filesystem::path file;  // of the document, or empty
     std::string when;            // of its last change, local time
@@ -27,7 +27,7 @@ class Recovery {
     void look();
 
     // Draws the offer while it stands; returns the work to go on with.
-    std::optional<LostAndFound> draw();
+    std::optional<RecoveredWork> draw();
 
     bool talking() const { return !lost_.empty(); }
     std::size_t count() const { return lost_.size(); }

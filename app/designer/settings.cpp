@@ -23,9 +23,9 @@ void read_border(ObjectReader& object, std::string_view key, Range range, float&
 Settings read_settings(ObjectReader& object) {
     Settings settings;
     object.required("nacre_settings", "the version of the settings").whole_number(version, version);
-    read_border(object, "panel", {panel_least, panel_most}, settings.layout.panel);
-    read_border(object, "canvas", {canvas_least, canvas_most}, settings.layout.canvas);
-    read_border(object, "drawer", {drawer_least, drawer_largest}, settings.layout.drawer);
+    read_border(object, "panel", {panel_min, panel_max}, settings.layout.panel);
+    read_border(object, "canvas", {canvas_min, canvas_max}, settings.layout.canvas);
+    read_border(object, "drawer", {drawer_min, drawer_largest}, settings.layout.drawer);
     object.flag("system_dialogs", settings.system_dialogs);
     read_folder(object, "design_folder", settings.design_folder);
     read_folder(object, "picture_folder", settings.picture_folder);

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "app/designer/kept_file.h"
 #include "app/designer/layout.h"
+#include "app/designer/private_json_file.h"
 
 namespace nacre {
 
@@ -34,7 +34,7 @@ class SettingsFile {
     const std::string& problem() const { return file_.problem(); }
 
   private:
-    KeptFile file_;
+    PrivateJsonFile file_;
     Settings kept_;
 };
 

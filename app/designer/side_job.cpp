@@ -17,7 +17,7 @@ void bake_side(Baker& baker, const SideRequest& request, const std::stop_token& 
     for (const Quality quality : {Quality::draft, Quality::final}) {
         if (quality == Quality::final && !request.settled) return;
         const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
-        publish(bake_compared(baker, request.design, request.opponent, options, stop));
+        publish(bake_for_comparison(baker, request.design, request.comparison_model, options, stop));
         if (stop.stop_requested()) return;
     }
 }

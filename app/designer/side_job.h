@@ -8,15 +8,15 @@
 #include <string>
 
 #include "core/base/latest_job.h"
-#include "core/compare/opponent.h"
+#include "core/compare/comparison_model.h"
 
 namespace nacre {
 
 struct SideRequest {
     Design design;
-    std::optional<Opponent> opponent;  // without one: the design itself
-    bool albedo = false;               // R is wanted even where no diffuse term reads it
-    bool settled = true;               // false while a hand still moves something: a draft will do
+    std::optional<ComparisonModel> comparison_model;  // without one: the design itself
+    bool albedo = false;                              // R is wanted even where no diffuse term reads it
+    bool settled = true;  // false while a hand still moves something: a draft will do
     bool operator==(const SideRequest&) const = default;
 };
 

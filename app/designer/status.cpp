@@ -19,7 +19,7 @@ std::string size_text(const Tables& tables) {
 }
 
 std::string time_text(const Tables& tables) {
-    const double seconds = tables.made_seconds;
+    const double seconds = tables.bake_seconds;
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1e3) : fmt::format("{:.1f} s", seconds);
 }
 
@@ -39,7 +39,7 @@ ui::TablesStatus status_of(const Tables& tables) {
         status.left_out.push_back(omission.what + ": " + omission.why);
     const double lean = polar_angle(tables.mean);
     status.valid = lean < ui::lean_noticed;
-    status.validity = status.valid ? "p valid" : fmt::format("p leans {:.1f}\u00b0", lean);
+    status.validity = status.valid ? "mean normal ok" : fmt::format("mean normal tilted {:.1f}\u00b0", lean);
     return status;
 }
 

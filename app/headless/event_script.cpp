@@ -11,8 +11,8 @@
 namespace nacre {
 namespace {
 
-constexpr int frames_most = 100000;
-constexpr float pixels_most = 100000;
+constexpr int frames_max = 100000;
+constexpr float pixels_max = 100000;
 
 // The words of one line, taken from left to right; every complaint names the line.
 class Line {
@@ -47,7 +47,7 @@ class Line {
         const std::string_view taken = word(expected);
         int value = 0;
         const auto [end, error] = std::from_chars(taken.data(), taken.data() + taken.size(), value);
-        if (error != std::errc() || end != taken.data() + taken.size() || value < 0 || value > frames_most)
+        if (error != std::errc() || end != taken.data() + taken.size() || value < 0 || value > frames_max)
             fail(std::string("needs ") + expected, taken);
         return value;
     }
@@ -81,7 +81,7 @@ class Line {
             }
             const auto comma = fractions.find(',');
             place.at.x = parse_real(fractions.substr(0, comma),
-                                    place.polar ? "a polar angle" : "a fraction of the widget's breadth");
+                                    place.polar ? "a polar angle" : "a fraction of the widget's width");
             if (comma != std::string_view::npos)
                 place.at.y = parse_real(fractions.substr(comma + 1),
                                         place.polar ? "an azimuth" : "a fraction of the widget's height");
@@ -107,7 +107,7 @@ class Line {
     float parse_real(std::string_view taken, const char* expected) const {
         float value = 0;
         const auto [end, error] = std::from_chars(taken.data(), taken.data() + taken.size(), value);
-        if (error != std::errc() || end != taken.data() + taken.size() || !(std::abs(value) <= pixels_most))
+        if (error != std::errc() || end != taken.data() + taken.size() || !(std::abs(value) <= pixels_max))
             fail(std::string("needs ") + expected, taken);
         return value;
     }

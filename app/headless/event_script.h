@@ -24,7 +24,7 @@ namespace nacre {
 
 struct Place {
     std::string widget;        // empty: `at` is in pixels
-    glm::vec2 at{0.5f, 0.5f};  // of the widget's breadth and height
+    glm::vec2 at{0.5f, 0.5f};  // of the widget's width and height
     bool polar = false;        // `at` is theta and phi of a normal instead, degrees
     bool operator==(const Place&) const = default;
 };

@@ -8,11 +8,11 @@ namespace nacre {
 Screenshot screenshot(const ScreenshotOptions& options) {
     // Nobody waits for a frame here: the bake takes every core.
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    Stage stage({.size = options.size, .ui_scale = options.ui_scale, .bake_threads = threads});
+    HeadlessDesigner stage({.size = options.size, .ui_scale = options.ui_scale, .bake_threads = threads});
     return screenshot(options, stage);
 }
 
-Screenshot screenshot(const ScreenshotOptions& options, Stage& stage) {
+Screenshot screenshot(const ScreenshotOptions& options, HeadlessDesigner& stage) {
     if (options.design) stage.designer().document = Document(*options.design, options.file);
     // Dear ImGui hides a window that sizes itself in its first frame.
     stage.frame(false);

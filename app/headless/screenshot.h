@@ -27,7 +27,7 @@ struct Screenshot {
 };
 
 // The picture of a stage that was just made; it stays as it was then.
-Screenshot screenshot(const ScreenshotOptions& options, Stage& stage);
+Screenshot screenshot(const ScreenshotOptions& options, HeadlessDesigner& stage);
 
 // What is wrong with the script is a UserError at its line; no OpenGL is a std::runtime_error.
 Screenshot screenshot(const ScreenshotOptions& options);

@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-Stage::Stage(const StageOptions& options)
+HeadlessDesigner::HeadlessDesigner(const StageOptions& options)
     : size_(options.size),
       context_(make_offscreen_context(options.size)),
       session_(options.ui_scale, options.pixels_a_unit) {
@@ -29,7 +29,7 @@ Stage::Stage(const StageOptions& options)
                                                            .autosave_bytes = options.autosave_bytes});
 }
 
-void Stage::frame(bool rasterise) {
+void HeadlessDesigner::frame(bool rasterise) {
     items_.clear();
     session_.new_frame();
     ImGui::NewFrame();
@@ -39,11 +39,11 @@ void Stage::frame(bool rasterise) {
     ImGui::GetIO().MouseWheel = 0;
 }
 
-void Stage::play(const EventScript& script) {
+void HeadlessDesigner::play(const EventScript& script) {
     for (const Event& event : script.events) play(event, script.file);
 }
 
-void Stage::wait_for_bake() {
+void HeadlessDesigner::wait_for_bake() {
     do {
         frame(false);  // submits what the last input changed
     } while (!designer_->settled);
@@ -55,17 +55,17 @@ void Stage::wait_for_bake() {
     frame(false);
 }
 
-void Stage::move_to(glm::vec2 pixel) {
+void HeadlessDesigner::move_to(glm::vec2 pixel) {
     ImGui::GetIO().MousePos = ImVec2(pixel.x, pixel.y);
     frame(false);
 }
 
-void Stage::press(int button, bool down) {
+void HeadlessDesigner::press(int button, bool down) {
     ImGui::GetIO().MouseDown[button] = down;
     frame(false);
 }
 
-glm::vec2 Stage::pixel_of(const Place& place, const std::string& file, int line) {
+glm::vec2 HeadlessDesigner::pixel_of(const Place& place, const std::string& file, int line) {
     if (place.widget.empty()) return place.at;
     frame(false);  // what the last event changed has moved the widgets
     const auto box = items_.rectangle(place.widget);
@@ -83,7 +83,7 @@ glm::vec2 Stage::pixel_of(const Place& place, const std::string& file, int line)
     return {box->x + place.at.x * (box->z - box->x), box->y + place.at.y * (box->w - box->y)};
 }
 
-void Stage::play(const Event& event, const std::string& file) {
+void HeadlessDesigner::play(const Event& event, const std::string& file) {
     ImGuiIO& io = ImGui::GetIO();
     if (const auto* move = std::get_if<events::Move>(&event.what)) {
         move_to(pixel_of(move->to, file, event.line));
@@ -129,7 +129,7 @@ void Stage::play(const Event& event, const std::string& file) {
     }
 }
 
-std::vector<std::uint8_t> Stage::pixels() const {
+std::vector<std::uint8_t> HeadlessDesigner::pixels() const {
     const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
     const std::size_t rows = static_cast<std::size_t>(size_.y);
     std::vector<std::uint8_t> upward(row * rows);

@@ -26,9 +26,9 @@ struct StageOptions {
     std::uintmax_t autosave_bytes = autosave_bytes_max;
 };
 
-class Stage {
+class HeadlessDesigner {
   public:
-    explicit Stage(const StageOptions& options);
+    explicit HeadlessDesigner(const StageOptions& options);
 
     Designer& designer() { return *designer_; }
     const ui::ItemMap& items() const { return items_; }

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr int samples_most = 8;  // of a texel's coverage
+constexpr int samples_max = 8;  // of a texel's coverage
 
 std::string text(const char* name) { return std::string(shader_text(name)); }
 
@@ -55,7 +55,7 @@ void GeometryBuffer::resize(glm::ivec2 size) {
     GLint samples = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &samples);
     depth_.store(size, GL_DEPTH_COMPONENT32F, 0);
-    samples_.store(size, GL_R8, std::min(samples, samples_most));
+    samples_.store(size, GL_R8, std::min(samples, samples_max));
     attach(many_samples_.name(), GL_COLOR_ATTACHMENT0, samples_.name());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("OpenGL cannot draw into a picture of this size");

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "app/preview/environment_accumulator.h"
 #include "app/preview/factor_scale.h"
-#include "app/preview/gathering.h"
 #include "app/preview/geometry_buffer.h"
 #include "app/preview/gl_objects.h"
 #include "app/preview/scene.h"
@@ -79,7 +79,7 @@ class Preview {
         int supersample = 1;
         int goal = 0;  // samples a texel
 
-        bool gathers() const { return gathers_light(scene); }
+        bool gathers() const { return uses_environment(scene); }
     };
 
     // See shaders/develop.frag.
@@ -110,7 +110,7 @@ class Preview {
     GeometryBuffer pixel_geometry_;
     SurfaceImage surface_;
     Target radiance_;
-    Gathering gathering_;
+    EnvironmentAccumulator gathering_;
     Frame frame_;
     double gathers_a_second_ = 0;  // samples of single texels; 0 until measured
     Target developed_;

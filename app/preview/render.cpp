@@ -60,8 +60,8 @@ RenderedPair render_pair(const ComparedSurface& left, const ComparedSurface& rig
     pair.right_radiance = upright(b.numbers(), size);
     const SurfaceImage& object = a.surface(scene, size);
     pair.difference = measure_difference(pair.left_radiance, pair.right_radiance, 3, [&](std::size_t pixel) {
-        const auto breadth = static_cast<std::size_t>(size.x);
-        return object.covered({static_cast<int>(pixel % breadth), static_cast<int>(pixel / breadth)});
+        const auto width = static_cast<std::size_t>(size.x);
+        return object.covered({static_cast<int>(pixel % width), static_cast<int>(pixel / width)});
     });
     return pair;
 }

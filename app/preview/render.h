@@ -7,7 +7,7 @@
 
 #include "app/preview/preview.h"
 #include "app/preview/scene.h"
-#include "core/compare/opponent.h"
+#include "core/compare/comparison_model.h"
 #include "core/compare/picture_difference.h"
 #include "core/design/design.h"
 

@@ -68,7 +68,7 @@ std::optional<Scene> scene_by_name(std::string_view name) {
     return scene;
 }
 
-bool gathers_light(const Scene& scene) { return scene.environment.picture && !is_factor(scene.term); }
+bool uses_environment(const Scene& scene) { return scene.environment.picture && !is_factor(scene.term); }
 
 bool lights_shine(const Scene& scene) { return !scene.environment.picture || scene.environment.with_lights; }
 

@@ -68,7 +68,7 @@ std::vector<std::string> scene_names();
 std::optional<Scene> scene_by_name(std::string_view name);
 
 // Whether an environment lights what is shown: a factor of the BRDF is that of the main light.
-bool gathers_light(const Scene& scene);
+bool uses_environment(const Scene& scene);
 
 // Whether the lights shine: where an environment does, only if they are to.
 bool lights_shine(const Scene& scene);

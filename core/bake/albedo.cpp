@@ -65,7 +65,7 @@ constexpr std::size_t batch = 512;
 
 // The rule's points over one hemisphere of a smooth lobe, as facets: visit(some of them) again and again.
 template <class Visit>
-void walk_span(const LobeWalk& walk, std::size_t level, MaskingBends bends, const Visit& visit) {
+void walk_span(const GreatCircleQuadrature& walk, std::size_t level, MaskingBends bends, const Visit& visit) {
     const Order rule = order(level);
     const std::vector<double> azimuths = walk.azimuth_cuts(bends);
     std::vector<double> cuts;
@@ -80,7 +80,8 @@ void walk_span(const LobeWalk& walk, std::size_t level, MaskingBends bends, cons
     for (const QuadraturePoint& a : rule.psi) {
         for (std::size_t part = 0; part + 1 < azimuths.size(); ++part) {
             const double size = azimuths[part + 1] - azimuths[part];
-            const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (azimuths[part] + size * a.x));
+            const GreatCircleQuadrature::Ray ray =
+                walk.ray(walk.start() + pi * (azimuths[part] + size * a.x));
             walk.cuts(ray, bends, cuts);
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
                 const double chi = cuts[i], step = cuts[i + 1] - cuts[i];
@@ -125,8 +126,8 @@ double difference(const AlbedoValues& a, const AlbedoValues& b) {
 
 }  // namespace
 
-AlbedoRule::AlbedoRule(const FacetDistribution& distribution, const Shading<double>& shading, int channels,
-                       double tolerance)
+AlbedoQuadrature::AlbedoQuadrature(const FacetDistribution& distribution, const Shading<double>& shading,
+                                   int channels, double tolerance)
     : distribution_(distribution),
       shading_(shading),
       channels_(channels),
@@ -135,26 +136,26 @@ AlbedoRule::AlbedoRule(const FacetDistribution& distribution, const Shading<doub
     if (tolerance < std::numeric_limits<double>::infinity()) refine(tolerance);
 }
 
-AlbedoRule AlbedoRule::finer(double tolerance) const {
-    AlbedoRule rule = *this;
+AlbedoQuadrature AlbedoQuadrature::finer(double tolerance) const {
+    AlbedoQuadrature rule = *this;
     rule.refine(tolerance);
     return rule;
 }
 
-void AlbedoRule::refine(double tolerance) {
+void AlbedoQuadrature::refine(double tolerance) {
     // The lobes' errors add up, as they come.
     const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
     for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) level_[lobe] = choose_level(lobe, part);
 }
 
-void AlbedoRule::make_facets(std::size_t level) {
+void AlbedoQuadrature::make_facets(std::size_t level) {
     if (level < facets_.size()) return;
     facets_.emplace_back();
     for (const std::vector<Facet>& of_lobe : distribution_.facets(facet_counts[level]))
         facets_.back().push_back(columns_of(of_lobe));
 }
 
-std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) {
+std::size_t AlbedoQuadrature::choose_level(std::size_t lobe, double tolerance) {
     auto evaluate = [&](std::size_t level) {
         std::array<AlbedoValues, trials> values;
         for (int i = 0; i < trials; ++i) {
@@ -182,7 +183,7 @@ std::size_t AlbedoRule::choose_level(std::size_t lobe, double tolerance) {
     return level;
 }
 
-bool AlbedoRule::refine_at(const std::vector<dvec3>& directions, double tolerance) {
+bool AlbedoQuadrature::refine_at(const std::vector<dvec3>& directions, double tolerance) {
     const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
     auto points = [&] {
         std::size_t sum = 0;
@@ -212,19 +213,19 @@ bool AlbedoRule::refine_at(const std::vector<dvec3>& directions, double toleranc
     return refined;
 }
 
-AlbedoValues AlbedoRule::operator()(dvec3 k1, double g1) const {
+AlbedoValues AlbedoQuadrature::operator()(dvec3 k1, double g1) const {
     AlbedoValues sum{};
     for (std::size_t lobe = 0; lobe < level_.size(); ++lobe)
         add(sum, over_lobe(lobe, level_[lobe], k1, g1), 1);
     return sum;
 }
 
-AlbedoValues AlbedoRule::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
+AlbedoValues AlbedoQuadrature::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
     const PlacedLobe& placed = distribution_.lobes()[lobe];
     if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
     AlbedoValues sum{};
-    for (const LobeSpan& span : placed.lobe->spans())
-        walk_span(LobeWalk(placed, span, k1), level, parted_as(shading_),
+    for (const LobeParameterization& span : placed.lobe->spans())
+        walk_span(GreatCircleQuadrature(placed, span, k1), level, parted_as(shading_),
                   [&](const WeightedDirections& facets) {
                       add(sum, sum_albedo(shading_, k1, g1, channels_, facets), 1);
                   });

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/bake/direction_sums.h"
-#include "core/bake/lobe_walk.h"
+#include "core/bake/great_circle_quadrature.h"
 #include "core/model/facet_distribution.h"
 
 namespace nacre {
@@ -23,20 +23,20 @@ struct FacetAlbedo {
 };
 
 // The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi, parted where the
-// integrand is not smooth (LobeWalk::cuts), so that the error falls exponentially with the order. A lobe of
-// facets: cells of its pyramid, whose error falls with the square of their size. Order and count are chosen
-// once, for all directions.
-class AlbedoRule {
+// integrand is not smooth (GreatCircleQuadrature::cuts), so that the error falls exponentially with the
+// order. A lobe of facets: cells of its pyramid, whose error falls with the square of their size. Order and
+// count are chosen once, for all directions.
+class AlbedoQuadrature {
   public:
     // g(k2) is read from the tables that `shading` holds; channels as in Shading::facet_albedo. `tolerance`
     // bounds, absolute, what the rule differs from the next finer one on a few directions down to grazing:
     // half of it in the root mean square, twice at worst; infinity takes the coarsest. Both references are
     // kept.
-    AlbedoRule(const FacetDistribution& distribution, const Shading<double>& shading, int channels,
-               double tolerance);
+    AlbedoQuadrature(const FacetDistribution& distribution, const Shading<double>& shading, int channels,
+                     double tolerance);
 
     // The same for a smaller tolerance.
-    AlbedoRule finer(double tolerance) const;
+    AlbedoQuadrature finer(double tolerance) const;
 
     // Refines until at those directions it differs from the finest by no more than `tolerance`, as the few by
     // which a rule is made may miss what a p does within a narrow range. Whether it had to.

@@ -13,7 +13,7 @@ namespace {
 constexpr int grazing_probes = 24;
 
 // A search looks into one of so many cells, and at the least into so many; it climbs from so many points.
-constexpr int cells_each = 80, cells_least = 4, climbs = 5;
+constexpr int cells_each = 80, cells_min = 4, climbs = 5;
 constexpr int thorough_cells_each = 10, thorough_climbs = 24;
 
 // Directions in the layer before the horizon that it looks at.
@@ -21,7 +21,7 @@ constexpr std::size_t layer_probes = 8;
 
 }  // namespace
 
-AlbedoTable::AlbedoTable(const AlbedoRules& rules, TableNodes nodes, Workers& workers)
+AlbedoTable::AlbedoTable(const AlbedoSampling& rules, TableNodes nodes, Workers& workers)
     : rules_(rules), nodes_(nodes), channels_(rules.channels()) {
     fill(workers);
     read_ = rules.area().data();
@@ -56,7 +56,7 @@ void AlbedoTable::fill(Workers& workers) {
 void AlbedoTable::probe(Workers& workers) {
     const TableCells cells = this->cells();
     const int count = rules_.most_probes();
-    points_ = count < cells.count() ? cells.strewn(count) : cells.one_a_cell();
+    points_ = count < cells.count() ? cells.scattered(count) : cells.one_a_cell();
     for (const TablePoint& point : cells.grazing(grazing_probes)) points_.push_back(point);
     errors_ = sample(points_, probes_, workers);
 }
@@ -128,8 +128,7 @@ std::vector<TablePoint> AlbedoTable::layer_points(Workers& workers) const {
         const dvec3 edge{sine * k.x, sine * k.y, c};
         const auto albedo = shading_.albedo_spot(edge, shading_.table_spot(edge));
         point.column = albedo.v * cells.columns();
-        layer[static_cast<std::size_t>(i)] = {std::fabs(g - read) / most * shading_.full_albedo(albedo),
-                                              point};
+        layer[static_cast<std::size_t>(i)] = {std::fabs(g - read) / most * shading_.albedo_f1(albedo), point};
     });
     std::stable_sort(layer.begin(), layer.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -146,7 +145,7 @@ void AlbedoTable::search(double enough, Search how, AxisError& error, std::vecto
     WorstSearch search(cells,
                        [&](const std::vector<TablePoint>& points) { return sample(points, known, workers); });
     search.look_at_bends(cell_bends_of_all(),
-                         std::max(cells.count() / (thorough ? thorough_cells_each : cells_each), cells_least),
+                         std::max(cells.count() / (thorough ? thorough_cells_each : cells_each), cells_min),
                          thorough || cells.count() > rules_.most_probes());
     search.look_at(layer_points(workers));
     if (thorough) search.look_at(cells.beside_horizon());

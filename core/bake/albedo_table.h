@@ -8,31 +8,31 @@
 
 namespace nacre {
 
-struct AlbedoEffort {
-    double rule_tolerance;   // see AlbedoRule
+struct AlbedoTolerance {
+    double rule_tolerance;   // see AlbedoQuadrature
     double probe_tolerance;  // the same for the directions between nodes by which the tables are measured
     int probes;              // so many of those, at the most
 };
 
 // How the tables over one table of g are filled and measured, whatever their size. `material` holds the
 // design but for the tables; `area` is kept as a reference.
-class AlbedoRules {
+class AlbedoSampling {
   public:
-    AlbedoRules(const AreaTable& area, const Shading<double>& material, int channels,
-                const AlbedoEffort& effort)
+    AlbedoSampling(const AreaTable& area, const Shading<double>& material, int channels,
+                   const AlbedoTolerance& effort)
         : area_(area),
           channels_(channels),
           shading_(area.shading(material)),
           nodes_(*area.distribution(), shading_, channels, effort.rule_tolerance),
           probes_(nodes_.finer(effort.probe_tolerance)),
           effort_(effort) {}
-    AlbedoRules(const AlbedoRules&) = delete;
-    AlbedoRules& operator=(const AlbedoRules&) = delete;
+    AlbedoSampling(const AlbedoSampling&) = delete;
+    AlbedoSampling& operator=(const AlbedoSampling&) = delete;
 
     const AreaTable& area() const { return area_; }
     const Shading<double>& shading() const { return shading_; }
-    const AlbedoRule& nodes() const { return nodes_; }
-    const AlbedoRule& probes() const { return probes_; }
+    const AlbedoQuadrature& nodes() const { return nodes_; }
+    const AlbedoQuadrature& probes() const { return probes_; }
     int most_probes() const { return effort_.probes; }
     int channels() const { return channels_; }
 
@@ -46,8 +46,8 @@ class AlbedoRules {
     const AreaTable& area_;
     int channels_;  // Fresnel tables, see Needs
     Shading<double> shading_;
-    AlbedoRule nodes_, probes_;
-    AlbedoEffort effort_;
+    AlbedoQuadrature nodes_, probes_;
+    AlbedoTolerance effort_;
 };
 
 // R of one distribution at a direction.
@@ -59,7 +59,7 @@ struct KnownAlbedo {
 class AlbedoTable {
   public:
     // On the grid of g's table, which is also where g(k2) is read. `rules` is kept as a reference.
-    AlbedoTable(const AlbedoRules& rules, TableNodes nodes, Workers& workers);
+    AlbedoTable(const AlbedoSampling& rules, TableNodes nodes, Workers& workers);
     AlbedoTable(const AlbedoTable&) = delete;
     AlbedoTable& operator=(const AlbedoTable&) = delete;
 
@@ -95,7 +95,7 @@ class AlbedoTable {
     dvec3 direction(const TablePoint& point) const;
     TableCells cells() const;
 
-    const AlbedoRules& rules_;
+    const AlbedoSampling& rules_;
     TableNodes nodes_;
     int channels_;
     std::vector<float> data_;

@@ -10,8 +10,8 @@
 namespace nacre {
 namespace {
 
-// Directions between nodes: three a cell up to this many, then as many as there are cells, strewn evenly; for
-// a draft just so many.
+// Directions between nodes: three a cell up to this many, then as many as there are cells, scattered evenly;
+// for a draft just so many.
 constexpr int final_between = 768, draft_between = 192;
 
 // Samples whose neighbours are looked at.
@@ -22,7 +22,7 @@ constexpr int grazing_samples = 96;
 
 // A search looks into one of so many cells, and at the least into so many; it climbs from so many points. A
 // thorough one looks into every cell.
-constexpr int cells_each = 24, cells_least = 8, climbs = 6, thorough_climbs = 32;
+constexpr int cells_each = 24, cells_min = 8, climbs = 6, thorough_climbs = 32;
 
 }  // namespace
 
@@ -67,13 +67,14 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
             samples.push_back(
                 sample_at({static_cast<double>(column), static_cast<double>(row), TablePlace::node}));
     const TableCells cells = this->cells();
-    for (const TablePoint& point : all_measured() ? cells.every_place() : cells.strewn(strewn_directions()))
+    for (const TablePoint& point :
+         all_measured() ? cells.every_place() : cells.scattered(strewn_directions()))
         samples.push_back(sample_at(point));
     for (const TablePoint& point : cells.grazing(grazing_samples)) samples.push_back(sample_at(point));
     add_samples(std::move(samples), workers);
 }
 
-// The strewn directions may miss the worst, which sits in few cells where p has a narrow feature: the
+// The scattered directions may miss the worst, which sits in few cells where p has a narrow feature: the
 // neighbours of those that err most are looked at too.
 void AreaTable::sample_near_worst(Workers& workers) {
     if (all_measured()) return;
@@ -186,7 +187,7 @@ void AreaTable::search(const Shading<double>& material, double enough, Search ho
         return errors;
     });
     search.look_at_bends(cell_bends(nodes_, grid_->symmetry(), data_.data(), node_weights(shading)),
-                         thorough ? cells.count() : std::max(cells.count() / cells_each, cells_least),
+                         thorough ? cells.count() : std::max(cells.count() / cells_each, cells_min),
                          thorough || !all_measured());
     if (thorough) search.look_at(cells.beside_horizon());
     std::vector<TablePoint> points;

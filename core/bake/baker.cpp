@@ -18,7 +18,7 @@ namespace {
 constexpr double final_coupling = 1e-7, draft_coupling = 1e-4;
 
 // A draft's grid is fitted anew when the error of g has grown so much since.
-constexpr double outgrown = 2, outgrown_least = 5e-3;
+constexpr double outgrown = 2, outgrown_min = 5e-3;
 
 // Names are not facets.
 Distribution without_names(Distribution distribution) {
@@ -95,15 +95,15 @@ std::optional<Baker::KeptArea> Baker::sum_area(const Kept& made, const Followed&
     area.tried.clear();
     area.table = std::make_shared<const AreaTable>(*area.table, now.distribution, now.changes, workers);
     area.error = area.table->measure(material);
-    if (area.error.all.worst > std::max(outgrown * area.fitted_error, outgrown_least)) return {};
+    if (area.error.all.worst > std::max(outgrown * area.fitted_error, outgrown_min)) return {};
     return area;
 }
 
 Baker::KeptArea Baker::make_area(const Kept& made, const Followed& now, const Shading<double>& material,
                                  Workers& workers) {
-    area_origin_ = TableOrigin::summed;
+    area_origin_ = TableOrigin::updated;
     if (auto summed = sum_area(made, now, material, workers)) return std::move(*summed);
-    area_origin_ = TableOrigin::baked;
+    area_origin_ = TableOrigin::rebuilt;
     const bool many =
         made.options.quality == Quality::final && count_facets(made.design.distribution) > many_facets;
     const std::shared_ptr<const FacetDistribution> tabled =
@@ -138,7 +138,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
     const bool keep_area =
         before && same_wishes(before->options, made.options) && same_area(before->design, made.design);
     const bool keep_albedo = keep_area && before->albedo.data && same_albedo(before->design, made.design);
-    area_origin_ = albedo_origin_ = TableOrigin::kept;
+    area_origin_ = albedo_origin_ = TableOrigin::reused;
     made.distribution = keep_area ? before->distribution : now.distribution;
     if (keep_area) {
         made.area = before->area;
@@ -153,7 +153,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
         const Stopwatch time;
         made.albedo = make_albedo(made, material, workers);
         made.albedo.seconds = time.seconds();
-        albedo_origin_ = TableOrigin::baked;
+        albedo_origin_ = TableOrigin::rebuilt;
     }
 }
 
@@ -217,7 +217,7 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     tables.mean = tables.distribution->mean();
     tables.data = made.area.table->data();
     tables.tolerance = made.options.tolerance;
-    tables.made_seconds = made.area.seconds + made.albedo.seconds;
+    tables.bake_seconds = made.area.seconds + made.albedo.seconds;
     tables.errors.area = made.area.error.all;
     tables.tried_area = made.area.tried;
     if (made.albedo.data) add_albedo(made, tables, workers);

@@ -11,7 +11,7 @@
 namespace nacre {
 
 // What became of a table: baked anew; summed again from each lobe's own g, and what a brush added; or kept.
-enum class TableOrigin { baked, summed, kept };
+enum class TableOrigin { rebuilt, updated, reused };
 
 // One worker's memory of its last designs. A final bake gives the same bits as bake() whatever was baked
 // before: it keeps a table only where nothing that the table reads has changed (a colour; with Schlick's
@@ -76,7 +76,7 @@ class Baker {
     Distribution before_;  // what distribution_ was made from
     std::shared_ptr<const FacetDistribution> distribution_;
     std::optional<Kept> draft_, final_;
-    TableOrigin area_origin_ = TableOrigin::baked, albedo_origin_ = TableOrigin::baked;
+    TableOrigin area_origin_ = TableOrigin::rebuilt, albedo_origin_ = TableOrigin::rebuilt;
 };
 
 }  // namespace nacre

@@ -71,7 +71,7 @@ void sum_over_shares(const Shading<double>& material, const WeightedDirections& 
             const Real g = shading.projected_area(k, spot);
             const Lanes::AlbedoSpot albedo = shading.albedo_spot(k, spot);
             const Lanes::real3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
-            values[0] = shading.full_albedo(albedo) * shading.clamped_part(k, g);
+            values[0] = shading.albedo_f1(albedo) * shading.clamped_part(k, g);
             values[1] = share.x;
             values[2] = share.y;
             values[3] = share.z;

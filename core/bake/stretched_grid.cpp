@@ -15,7 +15,7 @@ constexpr double smallest_width = 1e-6;
 
 // Rows gather this far where p turns away whole on one side; more starves the other side (measured with the
 // slanted velvet: 0.8 to 0.85 errs least).
-constexpr double lean_most = 0.8;
+constexpr double lean_max = 0.8;
 
 // The sine of the first column's theta, where each row of R holds its own limit at n.
 constexpr double least_sine = 1e-9;
@@ -148,7 +148,7 @@ void StretchedGrid::fit_ellipse(const FacetDistribution& distribution, double ax
     if (!leans || shape.moment != dvec2{0}) return;
     const dvec3 ahead{shape.axis, 0};
     const double here = distribution.projected_area(ahead), there = distribution.projected_area(-ahead);
-    if (here + there > 0) shape.lean = lean_most * (here - there) / (here + there);
+    if (here + there > 0) shape.lean = lean_max * (here - there) / (here + there);
 }
 
 Shading<double>::TableSpot StretchedGrid::spot(dvec3 k) const { return shading_.table_spot(k); }

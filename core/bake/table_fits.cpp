@@ -19,7 +19,7 @@ constexpr double claim_slack = 1.25;
 
 // Floats of all tables of a design, 64 KiB, and what of them g may take; where that does not suffice, at most
 // so many times as many.
-constexpr int floats_usual = 16384, area_floats_usual = 7424, growth_most = 4;
+constexpr int floats_usual = 16384, area_floats_usual = 7424, growth_max = 4;
 
 // What a direction costs is the lobes' sum, where a picture counts as so many smooth ones; tables grow less
 // where it is more than the budget allows.
@@ -49,7 +49,7 @@ int growth_of(const FacetDistribution& distribution) {
     int cost = 0;
     for (const PlacedLobe& placed : distribution.lobes())
         cost += placed.lobe->spans().empty() ? picture_cost : 1;
-    return std::clamp(growth_budget / std::max(cost, 1), 1, growth_most);
+    return std::clamp(growth_budget / std::max(cost, 1), 1, growth_max);
 }
 
 class AreaMaker {
@@ -103,7 +103,7 @@ class AlbedoMaker {
   public:
     using Result = Fitted<AlbedoTable>;
 
-    AlbedoMaker(AlbedoRules& rules, Quality quality, double tolerance, Workers& workers)
+    AlbedoMaker(AlbedoSampling& rules, Quality quality, double tolerance, Workers& workers)
         : rules_(rules), quality_(quality), enough_(tolerance), workers_(workers) {}
 
     Result make(TableNodes nodes) {
@@ -134,7 +134,7 @@ class AlbedoMaker {
     }
 
   private:
-    AlbedoRules& rules_;
+    AlbedoSampling& rules_;
     Quality quality_;
     double enough_;
     Workers& workers_;
@@ -190,8 +190,8 @@ FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, cons
                         const BakeOptions& options, const Shading<double>& material, Workers& workers) {
     const bool draft = options.quality == Quality::draft, fixed = draft || options.size.has_value();
     const double tolerance = options.tolerance;
-    const AlbedoEffort effort = draft ? AlbedoEffort{never, tolerance, draft_probes}
-                                      : AlbedoEffort{0.3 * tolerance, 0.1 * tolerance, final_probes};
+    const AlbedoTolerance effort = draft ? AlbedoTolerance{never, tolerance, draft_probes}
+                                         : AlbedoTolerance{0.3 * tolerance, 0.1 * tolerance, final_probes};
     // g's own error adds to R's.
     const double rest = std::max(tolerance - area_error.all.root_mean_square, 0.3 * tolerance);
     const double target =
@@ -201,7 +201,7 @@ FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, cons
     const FitWishes wishes{
         fixed ? never : target, fixed ? never : rest, fixed ? 0 : usual,
         fixed ? 0 : std::max(growth_of(*area.distribution()) * floats_usual - area_floats, 0) / tables};
-    AlbedoRules rules(area, material, needs.fresnel_tables, effort);
+    AlbedoSampling rules(area, material, needs.fresnel_tables, effort);
     AlbedoMaker maker(rules, options.quality, tolerance / claim_slack - area_error.all.root_mean_square,
                       workers);
     TableFit<AlbedoMaker> fit(maker, needs.symmetry.symmetry, wishes);

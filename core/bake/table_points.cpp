@@ -44,7 +44,7 @@ std::vector<TablePoint> TableCells::one_a_cell() const {
     return points;
 }
 
-std::vector<TablePoint> TableCells::strewn(int count) const {
+std::vector<TablePoint> TableCells::scattered(int count) const {
     std::vector<TablePoint> points;
     for (int i = 0; i < count; ++i)
         points.push_back(between(strewn_cell(i, columns_, rows_), place_in_turn(i)));

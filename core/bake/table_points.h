@@ -39,8 +39,8 @@ class TableCells {
     // One in every cell, the places in turn.
     std::vector<TablePoint> one_a_cell() const;
 
-    // So many, the places in turn, in cells strewn evenly (Roberts 2018, the R2 sequence).
-    std::vector<TablePoint> strewn(int count) const;
+    // So many, the places in turn, in cells scattered evenly (Roberts 2018, the R2 sequence).
+    std::vector<TablePoint> scattered(int count) const;
 
     // So many within the last cell before the horizon, which may hold a layer thinner than itself.
     std::vector<TablePoint> grazing(int count) const;

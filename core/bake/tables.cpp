@@ -27,7 +27,7 @@ double area_error(const Shading<double>& shading, dvec3 k, double read, double e
 Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels) {
     const auto spot = shading.table_spot(k);
     const auto albedo = shading.albedo_spot(k, spot);
-    const double full = shading.full_albedo(albedo);
+    const double full = shading.albedo_f1(albedo);
     const double kept = shading.clamped_part(k, shading.projected_area(k, spot));
     const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
     Values<4> values{full * kept};

@@ -57,7 +57,7 @@ struct Tables {
     TableErrors errors;      // measured by the bake, on directions between nodes
     std::vector<TriedSize> tried_area, tried_albedo;  // on the way to `size`
     double seconds = 0;                               // that the request took
-    double made_seconds = 0;  // that the tables took when they were made, for this request or one before
+    double bake_seconds = 0;  // that the tables took when they were made, for this request or one before
 
     std::size_t table_floats() const;  // of `data`: the tables without curves and pictures
 };
@@ -74,7 +74,7 @@ double area_error(const Shading<double>& shading, dvec3 k, double read, double e
 // R at k as the tables hold it, with F = 1 and with each of the Fresnel factors; k.z >= 0.
 Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels);
 
-// Error of that, whichever factor errs most; `exact` as AlbedoRule gives it.
+// Error of that, whichever factor errs most; `exact` as AlbedoQuadrature gives it.
 double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels);
 
 // The larger of two errors; one that is no number is infinite.

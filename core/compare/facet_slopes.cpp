@@ -12,7 +12,8 @@ using std::numbers::pi;
 constexpr std::size_t lattice_size = 16384;
 
 // Fibonacci's lattice on the upper hemisphere, stretched as the span is.
-void add_span(const PlacedLobe& placed, const LobeSpan& span, std::size_t count, std::vector<Facet>& all) {
+void add_span(const PlacedLobe& placed, const LobeParameterization& span, std::size_t count,
+              std::vector<Facet>& all) {
     const double patch = 2 * pi / static_cast<double>(count) * span.stretch.x * span.stretch.y;
     const double turn = pi * (3 - std::sqrt(5.0));
     for (std::size_t i = 0; i < count; ++i) {
@@ -58,7 +59,8 @@ std::vector<Facet> facet_lattice(const FacetDistribution& p, std::size_t count) 
     const std::vector<std::vector<Facet>> own = p.facets(count);
     for (std::size_t i = 0; i < own.size(); ++i) {
         all.insert(all.end(), own[i].begin(), own[i].end());
-        for (const LobeSpan& span : p.lobes()[i].lobe->spans()) add_span(p.lobes()[i], span, count, all);
+        for (const LobeParameterization& span : p.lobes()[i].lobe->spans())
+            add_span(p.lobes()[i], span, count, all);
     }
     return all;
 }

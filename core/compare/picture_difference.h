@@ -32,7 +32,7 @@ struct DifferenceLook {
 std::vector<float> difference_picture(std::span<const float> a, std::span<const float> b, int channels,
                                       const DifferenceLook& look);
 
-// Columns of `a` up to `divider` (part of the breadth), then those of `b`; `channels` floats a pixel.
+// Columns of `a` up to `divider` (part of the width), then those of `b`; `channels` floats a pixel.
 std::vector<float> divided_picture(std::span<const float> a, std::span<const float> b, glm::ivec2 size,
                                    int channels, double divider);
 

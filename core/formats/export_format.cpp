@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t prefix_most = 64;  // characters
+constexpr std::size_t prefix_max = 64;  // characters
 
 }  // namespace
 
@@ -41,11 +41,11 @@ std::string about(const ExportFormat& format, std::string_view prefix) {
 std::string prefix_problem(std::string_view prefix) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-    const bool sound = !prefix.empty() && prefix.size() <= prefix_most && letter(prefix.front()) &&
+    const bool sound = !prefix.empty() && prefix.size() <= prefix_max && letter(prefix.front()) &&
                        std::all_of(prefix.begin(), prefix.end(), allowed);
     if (!sound)
         return fmt::format("must be 1 to {} letters a to z, digits and underscores, a letter first",
-                           prefix_most);
+                           prefix_max);
     // GLSL keeps these for itself (GLSL 3.30, 3.7); the underscore that joins prefix and name counts too.
     if (prefix.starts_with("gl_") || prefix == "gl") return "must not begin with gl_";
     if (prefix.find("__") != prefix.npos || prefix.back() == '_')

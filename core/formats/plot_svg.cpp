@@ -65,8 +65,8 @@ class SvgPen final : public PlotPen {
                    fmt::format("font-size=\"{}\" fill=\"{}\"", text_size, colour_of(ink)));
     }
 
-    void line(std::span<const glm::dvec2> points, Ink ink, double breadth) override {
-        page_.path(points, fmt::format("stroke=\"{}\" stroke-width=\"{:.2f}\"", colour_of(ink), breadth));
+    void line(std::span<const glm::dvec2> points, Ink ink, double width) override {
+        page_.path(points, fmt::format("stroke=\"{}\" stroke-width=\"{:.2f}\"", colour_of(ink), width));
     }
 
     void disc(glm::dvec2 middle, double radius, Ink ink) override {

@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 // Place number i of a cell: the sequence R2 (Roberts 2018), turned by a constant.
-glm::dvec2 strewn(std::size_t i) {
+glm::dvec2 scattered(std::size_t i) {
     const double n = static_cast<double>(i);
     return {std::fmod(0.5 + n * 0.7548776662466927, 1.0), std::fmod(0.5 + n * 0.5698402909980532, 1.0)};
 }
@@ -49,7 +49,7 @@ DirectionOrder order_directions(const MassCells& cells) {
             const std::size_t cell =
                 std::min(static_cast<std::size_t>(at - rising.begin()), rising.size() - 1);
             directions[i] =
-                glm::vec4(glm::vec3(cells.direction(cell, strewn(static_cast<std::size_t>(i)))), 0);
+                glm::vec4(glm::vec3(cells.direction(cell, scattered(static_cast<std::size_t>(i)))), 0);
         }
     });
     int node = 0;

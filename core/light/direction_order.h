@@ -36,7 +36,7 @@ struct MassCells {
     std::function<glm::dvec3(std::size_t cell, glm::dvec2 at)> direction;
 };
 
-// Each cell gets directions by its share of the mass, evenly strewn over it. Some mass must be positive.
+// Each cell gets directions by its share of the mass, evenly scattered over it. Some mass must be positive.
 DirectionOrder order_directions(const MassCells& cells);
 
 }  // namespace nacre

@@ -23,10 +23,10 @@ dvec2 concentric_disk(dvec2 at) {
     return {r * std::cos(phi), r * std::sin(phi)};
 }
 
-// One hemisphere of one lobe; see LobeSpan.
+// One hemisphere of one lobe; see LobeParameterization.
 class Domain {
   public:
-    Domain(const PlacedLobe& placed, const LobeSpan& span, int side)
+    Domain(const PlacedLobe& placed, const LobeParameterization& span, int side)
         : placed_(&placed),
           span_(span),
           side_(side),
@@ -55,7 +55,7 @@ class Domain {
     }
 
     const PlacedLobe* placed_;
-    LobeSpan span_;
+    LobeParameterization span_;
     int side_;
     std::size_t cells_;
 };
@@ -65,7 +65,8 @@ class Domain {
 DirectionOrder order_facets(const FacetDistribution& distribution, int side) {
     std::vector<Domain> domains;
     for (const PlacedLobe& placed : distribution.lobes())
-        for (const LobeSpan& span : placed.lobe->domains()) domains.emplace_back(placed, span, side);
+        for (const LobeParameterization& span : placed.lobe->domains())
+            domains.emplace_back(placed, span, side);
     const std::size_t each = domains.front().cells();
     MassCells cells;
     cells.mass.resize(domains.size() * each);

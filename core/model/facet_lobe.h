@@ -10,7 +10,7 @@ namespace nacre {
 
 class FacetLobe : public LobeModel {
   public:
-    std::vector<LobeSpan> spans() const override { return {}; }
+    std::vector<LobeParameterization> spans() const override { return {}; }
 
     // All facets in the lobe's frame, sixteen at a time.
     virtual void visit_leaves(const std::function<void(const LeafBlock&)>& visit) const = 0;

@@ -76,7 +76,7 @@ class Gaussian final : public LobeModel {
 
     dvec3 mean() const override { return {0, 0, area({0, 0, 1}).g}; }
 
-    std::vector<LobeSpan> spans() const override {
+    std::vector<LobeParameterization> spans() const override {
         const dvec2 a = inverse_width_ * inverse_width_;
         return {{1.0 / glm::sqrt(a + 1.0), 1, {}}};
     }

@@ -42,7 +42,7 @@ void for_each_node(double a, double b, std::size_t pieces, const Visit& visit) {
     }
 }
 
-// A function of theta with corners at `breaks` (angles after the stretch, see LobeSpan).
+// A function of theta with corners at `breaks` (angles after the stretch, see LobeParameterization).
 class Isotropic : public LobeModel {
   public:
     Area area(dvec3 k) const override {
@@ -179,7 +179,7 @@ class InverseGaussian final : public Isotropic {
         lobe_densities({kind_index<Lobe, InverseGaussianLobe>(), dvec2{inverse_width_}}, h, p);
     }
     dvec3 mean() const override { return {0, 0, area({0, 0, 1}).g}; }
-    std::vector<LobeSpan> spans() const override { return {{dvec2{stretch_}, 1, {}}}; }
+    std::vector<LobeParameterization> spans() const override { return {{dvec2{stretch_}, 1, {}}}; }
 
   protected:
     double profile(double theta) const override { return density({std::sin(theta), 0, std::cos(theta)}); }
@@ -207,15 +207,15 @@ class Curve final : public Isotropic {
         lobe_densities({kind_index<Lobe, CurveLobe>(), {}, data_.data(), layer_.data_size}, h, p);
     }
 
-    std::vector<LobeSpan> spans() const override {
-        LobeSpan above, below;
+    std::vector<LobeParameterization> spans() const override {
+        LobeParameterization above, below;
         below.flip = -1;
         for (const double theta : pieces_) {
             if (theta < pi / 2) above.breaks.push_back(theta);
             if (theta > pi / 2) below.breaks.push_back(pi - theta);
         }
         std::reverse(below.breaks.begin(), below.breaks.end());
-        std::vector<LobeSpan> spans;
+        std::vector<LobeParameterization> spans;
         if (pieces_.front() < pi / 2) spans.push_back(above);
         if (pieces_.back() > pi / 2) spans.push_back(below);
         return spans;

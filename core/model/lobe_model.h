@@ -38,7 +38,7 @@ struct DirectionColumns {
 // How to walk over a lobe in its own coordinates. The upper hemisphere h' (uniform measure) is mapped by
 // h = A h'/|A h'|, A = diag(stretch.x, stretch.y, 1), which makes any width one. Great circles through the
 // axis stay great circles, so that "k2 above the horizon" is one interval on each of them.
-struct LobeSpan {
+struct LobeParameterization {
     dvec2 stretch{1};
     double flip = 1;             // -1: the hemisphere below the lobe's own horizon
     std::vector<double> breaks;  // angles from the axis (radians, in h') where p has a corner, rising
@@ -66,10 +66,10 @@ class LobeModel {
     virtual dvec3 mean() const;
 
     // The hemispheres that hold the lobe; empty for a lobe that is a set of facets.
-    virtual std::vector<LobeSpan> spans() const = 0;
+    virtual std::vector<LobeParameterization> spans() const = 0;
 
     // The same of every lobe: in these coordinates a picture alone is narrow.
-    virtual std::vector<LobeSpan> domains() const { return spans(); }
+    virtual std::vector<LobeParameterization> domains() const { return spans(); }
 
     // The facets of a lobe that has no smooth form: about `count` at the most, or all with 0.
     virtual std::vector<Facet> facets(std::size_t count) const;

@@ -18,10 +18,10 @@
 namespace nacre {
 namespace {
 
-constexpr int tile_side = tile_side_most;
+constexpr int tile_side = tile_side_max;
 constexpr std::size_t tile_cells = static_cast<std::size_t>(tile_side) * tile_side;
 constexpr int tile_leaves_side = tile_side / 4;
-constexpr std::size_t tiles_most = 256;
+constexpr std::size_t tiles_max = 256;
 constexpr std::size_t sketched = 4096;  // facets of each lobe by which the tiles are laid out
 constexpr double least_size = 1e-7;     // of a tile
 
@@ -77,7 +77,7 @@ std::vector<Square> lay_out(std::vector<SketchedFacet> facets) {
         squares.push_back(std::move(square));
     };
     add({.corner = {0, 0}, .size = 1, .facets = std::move(facets)});
-    for (std::size_t tiles = 1; tiles + 3 <= tiles_most && open.top().first > 0; tiles += 3) {
+    for (std::size_t tiles = 1; tiles + 3 <= tiles_max && open.top().first > 0; tiles += 3) {
         const auto index = static_cast<std::size_t>(-open.top().second);
         open.pop();
         std::array<std::vector<SketchedFacet>, 4> parts;
@@ -186,8 +186,10 @@ class MergedLobe final : public LobeModel {
     Area area(dvec3 k) const override { return pyramid_.area(k); }
     double projected_area(dvec3 k) const override { return pyramid_.projected_area(k); }
     dvec3 mean() const override { return pyramid_.mean(); }
-    std::vector<LobeSpan> spans() const override { return {}; }
-    std::vector<LobeSpan> domains() const override { return {LobeSpan{}, {dvec2{1}, -1, {}}}; }
+    std::vector<LobeParameterization> spans() const override { return {}; }
+    std::vector<LobeParameterization> domains() const override {
+        return {LobeParameterization{}, {dvec2{1}, -1, {}}};
+    }
     std::vector<Facet> facets(std::size_t count) const override { return pyramid_.facets(count); }
     dvec3 sample_visible(dvec3 k, Random& random) const override { return VisibleSampler(lobes_, k)(random); }
 

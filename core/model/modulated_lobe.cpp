@@ -23,7 +23,7 @@ class Modulated final : public FacetLobe {
           factor_(modulation),
           side_(fineness == Fineness::bake ? 128 : 512),
           pieces_a_texel_(fineness == Fineness::bake ? 2 : 6) {
-        for (const LobeSpan& span : base_->spans()) pyramids_.push_back(make_pyramid(span));
+        for (const LobeParameterization& span : base_->spans()) pyramids_.push_back(make_pyramid(span));
     }
 
     double density(dvec3 h) const override { return base_->density(h) * factor_(h); }
@@ -56,7 +56,7 @@ class Modulated final : public FacetLobe {
         return sum;
     }
 
-    std::vector<LobeSpan> domains() const override { return base_->domains(); }
+    std::vector<LobeParameterization> domains() const override { return base_->domains(); }
 
     std::vector<Facet> facets(std::size_t count) const override {
         std::vector<Facet> all;
@@ -72,7 +72,7 @@ class Modulated final : public FacetLobe {
     }
 
     void visit_points(const std::function<void(const Facet&)>& visit) const override {
-        for (const LobeSpan& span : base_->spans())
+        for (const LobeParameterization& span : base_->spans())
             for (int row = 0; row < side_; ++row)
                 for (int column = 0; column < side_; ++column)
                     visit_cell(span, row, column, [&](dvec3 h, double mass) {
@@ -89,7 +89,7 @@ class Modulated final : public FacetLobe {
 
   private:
     static constexpr double faintest = 1e-9;  // of p, where its mean is 1
-    static constexpr int pieces_most = 16;    // of a cell around the axis
+    static constexpr int pieces_max = 16;     // of a cell around the axis
 
     // Two of Gauss's points in each of so many pieces of [0, 1].
     static double place(int i, int pieces) {
@@ -102,13 +102,13 @@ class Modulated final : public FacetLobe {
         if (a.z < 0 && b.z < 0) return 1;
         const double pieces =
             pieces_a_texel_ * 0.5 * factor_.side() * glm::length(disk_point(a) - disk_point(b));
-        return std::clamp(static_cast<int>(std::ceil(pieces)), 1, pieces_most);
+        return std::clamp(static_cast<int>(std::ceil(pieces)), 1, pieces_max);
     }
 
     // The ends of a piece of the great circle at an azimuth, in t; it is cut where p has a corner: at the
     // lobe's own, and where the circle, on the disk a straight line from its middle, crosses the lines
     // between middles of texels.
-    void cut_line(const LobeSpan& span, dvec2 azimuth, std::vector<double>& cuts) const {
+    void cut_line(const LobeParameterization& span, dvec2 azimuth, std::vector<double>& cuts) const {
         const double low = cuts.front(), high = cuts.back();
         const auto add = [&](double t) {
             if (t > low && t < high) cuts.push_back(t);
@@ -136,7 +136,7 @@ class Modulated final : public FacetLobe {
     }
 
     // Of a lobe without corners.
-    bool next_to_nothing(const LobeSpan& span, const std::array<SpanPoint, 2>& corners) const {
+    bool next_to_nothing(const LobeParameterization& span, const std::array<SpanPoint, 2>& corners) const {
         const double part = 2 * std::numbers::pi / base_->mass();
         return span.breaks.empty() && std::all_of(corners.begin(), corners.end(), [&](const SpanPoint& at) {
                    return base_->density(at.h) * at.solid_angle * part < faintest;
@@ -145,7 +145,7 @@ class Modulated final : public FacetLobe {
 
     // visit(its h, its mass) for the points of a cell.
     template <class Visit>
-    void visit_cell(const LobeSpan& span, int row, int column, const Visit& visit) const {
+    void visit_cell(const LobeParameterization& span, int row, int column, const Visit& visit) const {
         const double turn = 2 * std::numbers::pi / side_;
         const double low = static_cast<double>(row) / side_, high = (row + 1.0) / side_;
         const auto corner = [&](double t, int c) { return span_point(span, t, unit_vector(c * turn)); };
@@ -167,7 +167,7 @@ class Modulated final : public FacetLobe {
         }
     }
 
-    Facet cell(const LobeSpan& span, int row, int column) const {
+    Facet cell(const LobeParameterization& span, int row, int column) const {
         Facet sum{dvec3{0}, 0};
         visit_cell(span, row, column, [&](dvec3 h, double mass) {
             sum.h += mass * h;
@@ -178,7 +178,7 @@ class Modulated final : public FacetLobe {
     }
 
     // A cell is a box; a tent with its second moments is 1/sqrt(2) as wide, to either side.
-    Spread spread_of(const LobeSpan& span, double row, double column) const {
+    Spread spread_of(const LobeParameterization& span, double row, double column) const {
         const auto h = [&](double r, double c) {
             return span_point(span, std::clamp(r / side_, 0.0, 1.0),
                               unit_vector(2 * std::numbers::pi * c / side_))
@@ -190,7 +190,7 @@ class Modulated final : public FacetLobe {
         return spread;
     }
 
-    MomentPyramid make_pyramid(const LobeSpan& span) const {
+    MomentPyramid make_pyramid(const LobeParameterization& span) const {
         return MomentPyramid(
             side_, [&](int i, int j) { return cell(span, i, j); },
             [&](double row, double column) { return spread_of(span, row, column); });

@@ -53,7 +53,7 @@ std::shared_ptr<const PyramidTile> tile_of(int row, int column, int side,
 }  // namespace
 
 MomentPyramid::MomentPyramid(int side, const FacetAt& facet_at, const SpreadAt& spread_at)
-    : side_(side), tile_side_(std::min(side, tile_side_most)), tiles_(side / tile_side_) {
+    : side_(side), tile_side_(std::min(side, tile_side_max)), tiles_(side / tile_side_) {
     top_.tiles.resize(static_cast<std::size_t>(tiles_) * static_cast<std::size_t>(tiles_));
     tbb::parallel_for(0, tiles_ * tiles_, [&](int i) {
         top_.tiles[static_cast<std::size_t>(i)] =
@@ -63,7 +63,7 @@ MomentPyramid::MomentPyramid(int side, const FacetAt& facet_at, const SpreadAt& 
 }
 
 MomentPyramid::MomentPyramid(std::vector<std::shared_ptr<const PyramidTile>> tiles)
-    : side_(tile_side_most), tile_side_(tile_side_most), tiles_(1) {
+    : side_(tile_side_max), tile_side_(tile_side_max), tiles_(1) {
     top_.tiles = std::move(tiles);
     add_up();
 }

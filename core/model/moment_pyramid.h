@@ -26,7 +26,7 @@ class MomentPyramid {
     // side x side facets, side a power of two, 4 at the least.
     MomentPyramid(int side, const FacetAt& facet_at, const SpreadAt& spread_at = {});
 
-    // Of tiles that lie anywhere, each of tile_side_most facets a side. sample_visible() counts the rows of
+    // Of tiles that lie anywhere, each of tile_side_max facets a side. sample_visible() counts the rows of
     // one after those of the other.
     explicit MomentPyramid(std::vector<std::shared_ptr<const PyramidTile>> tiles);
 

@@ -116,7 +116,7 @@ class Painted final : public FacetLobe {
     Area area(dvec3 k) const override { return pyramid_->area(k); }
     double projected_area(dvec3 k) const override { return pyramid_->projected_area(k); }
     dvec3 mean() const override { return pyramid_->mean(); }
-    std::vector<LobeSpan> domains() const override { return {LobeSpan{}}; }
+    std::vector<LobeParameterization> domains() const override { return {LobeParameterization{}}; }
     std::vector<Facet> facets(std::size_t count) const override { return pyramid_->facets(count); }
     void visit_leaves(const std::function<void(const LeafBlock&)>& visit) const override {
         pyramid_->visit_leaves(visit);
@@ -138,7 +138,7 @@ class Painted final : public FacetLobe {
             const std::size_t index = pyramid_->sample_visible(k, random);
             const int row = static_cast<int>(index / side), column = static_cast<int>(index % side);
             const double most = glm::dot(k, (*tents_)(row, column).h) + 4 * tents_->reach();
-            for (int trial = 0; trial < trials_most; ++trial) {
+            for (int trial = 0; trial < trials_max; ++trial) {
                 const dvec2 at(place_under_tent(column, random), -place_under_tent(row, random));
                 if (glm::dot(at, at) >= 1) continue;
                 const dvec3 h = disk_direction(at);
@@ -149,7 +149,7 @@ class Painted final : public FacetLobe {
     }
 
   private:
-    static constexpr int trials_most = 10000;  // of places under a tent
+    static constexpr int trials_max = 10000;  // of places under a tent
 
     double middle_of(int index) const { return (2.0 * index + 1 - cells_) / cells_; }
 

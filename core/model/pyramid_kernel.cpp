@@ -64,7 +64,7 @@ class Walk {
     // A node of a tile and all that lies beneath it.
     void add(const PyramidTile& tile, std::size_t node) {
         const std::size_t inner = tile.balls.size();
-        std::size_t open[tile_nodes_most + 4];
+        std::size_t open[tile_nodes_max + 4];
         std::size_t count = 1, next = 0;
         open[0] = node;
         for (; next < count && open[next] < inner; ++next) {

@@ -44,11 +44,11 @@ struct PyramidTile {
 };
 
 // Facets a side of a tile. A dab touches a few tiles, and the tiles of a raster fill a few blocks.
-inline constexpr int tile_side_most = 64;
+inline constexpr int tile_side_max = 64;
 
 // Nodes of a tile of that side, all sizes and the leaves among them: 1 + 4 + 16 + ... + leaves.
-inline constexpr std::size_t tile_nodes_most = [] {
-    constexpr std::size_t leaves = tile_side_most / 4 * (tile_side_most / 4);
+inline constexpr std::size_t tile_nodes_max = [] {
+    constexpr std::size_t leaves = tile_side_max / 4 * (tile_side_max / 4);
     static_assert((leaves & (leaves - 1)) == 0, "a power of four");
     return (4 * leaves - 1) / 3;
 }();

@@ -16,7 +16,7 @@ struct SpanPoint {
     double solid_angle;
 };
 
-inline SpanPoint span_point(const LobeSpan& span, double t, dvec2 azimuth) {
+inline SpanPoint span_point(const LobeParameterization& span, double t, dvec2 azimuth) {
     const double s = std::sqrt(std::max(1 - t * t, 0.0));
     const dvec3 stretched{span.stretch.x * s * azimuth.x, span.stretch.y * s * azimuth.y, t};
     const double length = glm::length(stretched);
@@ -29,7 +29,8 @@ inline dvec2 unit_vector(double angle) { return {std::cos(angle), std::sin(angle
 
 // The facet that stands for cell (row, column) of side x side cells of a span, of equal solid angle in its
 // h'.
-inline Facet span_facet(const LobeModel& lobe, const LobeSpan& span, int side, int row, int column) {
+inline Facet span_facet(const LobeModel& lobe, const LobeParameterization& span, int side, int row,
+                        int column) {
     const SpanPoint at =
         span_point(span, (row + 0.5) / side, unit_vector(2 * std::numbers::pi * (column + 0.5) / side));
     return {at.h, lobe.density(at.h) * at.solid_angle * 2 * std::numbers::pi / side / side};

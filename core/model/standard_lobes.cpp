@@ -39,7 +39,7 @@ class Ggx final : public LobeModel {
     }
 
     dvec3 mean() const override { return {0, 0, n_}; }
-    std::vector<LobeSpan> spans() const override { return {{alpha_, 1, {}}}; }
+    std::vector<LobeParameterization> spans() const override { return {{alpha_, 1, {}}}; }
 
     // Spherical caps (Dupuy & Benyoub 2023), which hold for k below the horizon too.
     dvec3 sample_visible(dvec3 k, Random& random) const override {
@@ -88,7 +88,7 @@ class Beckmann final : public LobeModel {
     }
 
     dvec3 mean() const override { return {0, 0, n_}; }
-    std::vector<LobeSpan> spans() const override { return {{alpha_, 1, {}}}; }
+    std::vector<LobeParameterization> spans() const override { return {{alpha_, 1, {}}}; }
 
     dvec3 sample_visible(dvec3 k, Random& random) const override {
         return beckmann_sample_visible(k, alpha_, random);
@@ -114,7 +114,7 @@ class Uniform final : public LobeModel {
 
     dvec3 mean() const override { return {0, 0, sphere_ ? 0 : pi}; }
 
-    std::vector<LobeSpan> spans() const override {
+    std::vector<LobeParameterization> spans() const override {
         if (sphere_) return {{dvec2{1}, 1, {}}, {dvec2{1}, -1, {}}};
         return {{dvec2{1}, 1, {}}};
     }

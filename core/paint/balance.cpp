@@ -21,7 +21,7 @@ namespace {
 constexpr double balanced_to = 1e-9;  // what is left of the mean normal along the surface
 constexpr double least_left = 0.01;   // of a layer's share
 constexpr int span_side = 64;         // facets a side that a lobe's covariance is summed over
-constexpr int steps_most = 100;       // of Newton's method
+constexpr int steps_max = 100;        // of Newton's method
 constexpr double directed = 1e-6;     // a lobe whose mean normal is shorter has no direction to lean
 
 dvec2 along_surface(dvec3 h) { return {h.x, h.y}; }
@@ -72,7 +72,7 @@ struct Member {
 
 std::vector<Facet> facets_of(const PlacedLobe& placed) {
     std::vector<Facet> facets = placed.lobe->facets(0);
-    for (const LobeSpan& span : placed.lobe->spans())
+    for (const LobeParameterization& span : placed.lobe->spans())
         for (int i = 0; i < span_side; ++i)
             for (int j = 0; j < span_side; ++j)
                 facets.push_back(span_facet(*placed.lobe, span, span_side, i, j));
@@ -143,7 +143,7 @@ dvec2 newton_step(const Tilted& now) {
 dvec2 minimum(const std::vector<Member>& members) {
     dvec2 lambda{0};
     Tilted now = tilted(members, lambda);
-    for (int step = 0; step < steps_most && glm::length(now.mean) > 1e-15; ++step) {
+    for (int step = 0; step < steps_max && glm::length(now.mean) > 1e-15; ++step) {
         const dvec2 full = newton_step(now);
         if (!std::isfinite(full.x) || !std::isfinite(full.y)) break;
         const double rounding = 1e-14 * (1 + std::abs(now.log_area));

@@ -34,7 +34,7 @@ std::vector<glm::dmat3> symmetry_images(const BrushSymmetry& symmetry) {
             return {scaling(1, 1), scaling(-1, 1), scaling(1, -1), scaling(-1, -1)};
         case SymmetryKind::turns: {
             std::vector<glm::dmat3> images;
-            const int count = std::clamp(symmetry.turns, turns_least, turns_most);
+            const int count = std::clamp(symmetry.turns, turns_min, turns_max);
             for (int i = 0; i < count; ++i) {
                 double c = std::cos(2 * std::numbers::pi * i / count);
                 double s = std::sin(2 * std::numbers::pi * i / count);

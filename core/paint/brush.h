@@ -13,7 +13,7 @@ struct Brush {
     bool operator==(const Brush&) const = default;
 };
 
-inline constexpr double brush_radius_least = 0.5, brush_radius_most = 60;  // degrees
+inline constexpr double brush_radius_min = 0.5, brush_radius_max = 60;  // degrees
 
 // How much a brush covers at `distance` radii from its middle: 1 up to its hardness, then smoothly down to 0
 // at 1.
@@ -42,7 +42,7 @@ struct BrushSymmetry {
     bool operator==(const BrushSymmetry&) const = default;
 };
 
-inline constexpr int turns_least = 2, turns_most = 24;
+inline constexpr int turns_min = 2, turns_max = 24;
 
 // Orthogonal matrices that take the stroke to each of its copies, the identity first. A full ring has no
 // finite set of them: the identity alone.

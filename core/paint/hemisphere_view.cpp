@@ -15,7 +15,7 @@ constexpr double nadir = std::numbers::sqrt2;  // radius of the whole sphere's d
 
 // A camera may not lose sight of what it shows.
 void keep_in_sight(HemisphereCamera& camera) {
-    camera.zoom = std::clamp(camera.zoom, zoom_least, zoom_most);
+    camera.zoom = std::clamp(camera.zoom, zoom_min, zoom_max);
     const double reach = (camera.below && !camera.dome ? nadir : 1.0) * (1 - 1 / camera.zoom);
     const double length = glm::length(camera.centre);
     if (length > reach) camera.centre *= length > 0 ? reach / length : 0;
@@ -94,7 +94,7 @@ double HemisphereView::coverage(glm::dvec2 pixel) const {
 HemisphereCamera zoomed(const HemisphereView& view, glm::dvec2 pixel, double factor) {
     HemisphereCamera camera = view.camera();
     const double before = camera.zoom;
-    camera.zoom = std::clamp(before * factor, zoom_least, zoom_most);
+    camera.zoom = std::clamp(before * factor, zoom_min, zoom_max);
     const glm::dvec2 off = (pixel - 0.5 * view.size()) / view.pixels_per_unit();
     camera.centre += glm::dvec2(off.x, -off.y) * (1 - before / camera.zoom);
     keep_in_sight(camera);

@@ -20,7 +20,7 @@ struct HemisphereCamera {
     bool operator==(const HemisphereCamera&) const = default;
 };
 
-inline constexpr double zoom_least = 1, zoom_most = 40;
+inline constexpr double zoom_min = 1, zoom_max = 40;
 
 // From the surface's frame to a viewer's: x right, y up, z toward the viewer. Degrees, as a camera has them.
 glm::dmat3 to_view(double yaw, double pitch);

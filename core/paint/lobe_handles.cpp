@@ -11,8 +11,8 @@ namespace nacre {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-constexpr double width_least = 1e-3;  // a hand can do no better on a picture of some hundred pixels
-constexpr double slope_most = 60;     // tan 89.05 degrees: from here on a width is infinite
+constexpr double width_min = 1e-3;  // a hand can do no better on a picture of some hundred pixels
+constexpr double slope_max = 60;    // tan 89.05 degrees: from here on a width is infinite
 
 // The widths of a lobe as slopes; equal pointers for a lobe with one.
 struct Widths {
@@ -45,7 +45,7 @@ Widths width_pointers(Lobe& lobe) {
 }
 
 double slope(double width, bool inverted) {
-    if (std::isinf(width)) return inverted ? 0 : slope_most;
+    if (std::isinf(width)) return inverted ? 0 : slope_max;
     return inverted ? 1 / width : width;
 }
 
@@ -72,14 +72,14 @@ bool is_round(const Lobe& lobe) {
 }
 
 double width_of(double new_slope, const Widths& widths) {
-    new_slope = std::clamp(new_slope, width_least, slope_most);
+    new_slope = std::clamp(new_slope, width_min, slope_max);
     if (widths.inverted) return 1 / new_slope;
-    return widths.may_be_infinite && new_slope >= slope_most ? limits::infinity : new_slope;
+    return widths.may_be_infinite && new_slope >= slope_max ? limits::infinity : new_slope;
 }
 
 dvec3 local(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(layer)) * h; }
 
-double slope_along(double across, double up) { return up > 0 ? std::abs(across) / up : slope_most; }
+double slope_along(double across, double up) { return up > 0 ? std::abs(across) / up : slope_max; }
 
 void lean(Layer& layer, dvec3 to) {
     layer.tilt = std::atan2(std::hypot(to.x, to.y), to.z) * degrees;
@@ -95,7 +95,7 @@ void turn(Layer& layer, dvec3 from, dvec3 to) {
 void widen(Layer& layer, dvec3 from, dvec3 to) {
     const dvec3 a = local(layer, from), b = local(layer, to);
     const double before = slope_along(std::hypot(a.x, a.y), a.z);
-    const double factor = slope_along(std::hypot(b.x, b.y), b.z) / std::max(before, width_least);
+    const double factor = slope_along(std::hypot(b.x, b.y), b.z) / std::max(before, width_min);
     const Widths widths = width_pointers(layer.lobe);
     const double now = slopes_of(layer.lobe).x * factor;
     *widths.x = *widths.y = width_of(now, widths);

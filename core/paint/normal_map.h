@@ -48,7 +48,7 @@ NormalCounts count_normals(const ColourPicture& picture, const NormalReading& re
 // In one line what is left out or changed; empty where every pixel is a normal of length 1.
 std::string note_on(const NormalCounts& counts);
 
-// Of a height map that is periodic and whose heights, the mean of the colours, are `depth` picture breadths
+// Of a height map that is periodic and whose heights, the mean of the colours, are `depth` picture widths
 // from black to white, from white to black where that is negative: central differences. Heights may have any
 // sign.
 std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth);

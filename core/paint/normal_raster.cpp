@@ -9,8 +9,8 @@
 namespace nacre {
 namespace {
 
-constexpr double facets_most = 50;  // that one normal stands for
-constexpr double reach = 3;         // of the smoothing, in standard deviations
+constexpr double facets_max = 50;  // that one normal stands for
+constexpr double reach = 3;        // of the smoothing, in standard deviations
 
 // Bilinear, so that few normals do not leave a pattern of texels. What falls to a texel off the disk goes to
 // those that it is read from.
@@ -18,7 +18,7 @@ void add_facets(std::vector<double>& sums, dvec3 n) {
     const glm::dvec2 at = disk_point(n);
     const double column = (at.x + 1) / 2 * painted_side - 0.5, row = (1 - at.y) / 2 * painted_side - 0.5;
     const double j = std::floor(column), i = std::floor(row), s = column - j, t = row - i;
-    const double facets = std::min(1 / n.z, facets_most);
+    const double facets = std::min(1 / n.z, facets_max);
     const auto add = [&](double r, double c, double share) {
         const int down = std::clamp(static_cast<int>(r), 0, painted_side - 1);
         const int right = std::clamp(static_cast<int>(c), 0, painted_side - 1);

@@ -72,8 +72,8 @@ void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass,
 
 void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass) {
     // Values are at most 1, and texels count in whole: a little more than the hemisphere.
-    constexpr double mass_most = 2.01 * std::numbers::pi;
-    const double room = limits::weight_max * std::min(mass / mass_most, 1.0);
+    constexpr double mass_max = 2.01 * std::numbers::pi;
+    const double room = limits::weight_max * std::min(mass / mass_max, 1.0);
     const double weight = distribution.layers[layer].weight;
     if (!(mass > 0) || weight <= room) return;
     for (Layer& each : distribution.layers) each.weight *= room / weight;

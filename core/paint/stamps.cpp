@@ -16,17 +16,17 @@ namespace {
 using glm::dvec2;
 
 constexpr int side = 256;
-constexpr double edge = 0.02;  // half the breadth of a shape's soft edge; the picture reaches from -1 to 1
+constexpr double edge = 0.02;  // half the width of a shape's soft edge; the picture reaches from -1 to 1
 
 double soft(double distance) { return std::clamp(0.5 - distance / (2 * edge), 0.0, 1.0); }
 
 double disc(dvec2 at, dvec2 middle, double radius) { return soft(glm::length(at - middle) - radius); }
 
-double arc(dvec2 at, double radius, double breadth, double low, double high) {
+double arc(dvec2 at, double radius, double width, double low, double high) {
     const double angle = std::atan2(at.y, at.x);
     const double inside = std::clamp(angle, low, high);
     const dvec2 nearest = radius * dvec2(std::cos(inside), std::sin(inside));
-    return soft(glm::length(at - nearest) - breadth / 2);
+    return soft(glm::length(at - nearest) - width / 2);
 }
 
 double smiley(dvec2 at) {

@@ -7,7 +7,7 @@ namespace nacre {
 namespace {
 
 constexpr int first_intervals = 48;
-constexpr int halvings_most = 7;
+constexpr int halvings_max = 7;
 constexpr double tolerance = 0.005;
 constexpr double log_tolerance = 0.05;   // of the value itself
 constexpr double log_floor = 1e-4;       // of the largest value: what lies below is not seen
@@ -51,7 +51,7 @@ class Sampler {
 
     SampledCurves refined() {
         std::vector<bool> bends(samples_.size() - 1, true);  // of the interval that begins with a sample
-        for (int round = 0; round < halvings_most; ++round) bends = halve(bends);
+        for (int round = 0; round < halvings_max; ++round) bends = halve(bends);
         SampledCurves result;
         result.values.resize(curves_);
         for (const Sample& s : samples_) {

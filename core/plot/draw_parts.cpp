@@ -14,8 +14,8 @@ namespace {
 
 constexpr double row_ems = 1.24;    // of a legend
 constexpr double swatch_ems = 1.9;  // its line
-constexpr double number_ems = 5.2;  // breadth of a number
-constexpr double bar_ems = 1.1;     // breadth of the bar of colours
+constexpr double number_ems = 5.2;  // width of a number
+constexpr double bar_ems = 1.1;     // width of the bar of colours
 constexpr int bar_steps = 64;
 constexpr double reading_rows = 5.5;
 
@@ -55,16 +55,16 @@ void text_before(PlotPen& pen, glm::dvec2 right_middle, const std::string& text,
     pen.text({right_middle.x - pen.text_width(text), right_middle.y}, text, ink);
 }
 
-void straight(PlotPen& pen, glm::dvec2 from, glm::dvec2 to, Ink ink, double breadth) {
+void straight(PlotPen& pen, glm::dvec2 from, glm::dvec2 to, Ink ink, double width) {
     const std::array<glm::dvec2, 2> ends = {from, to};
-    pen.line(ends, ink, breadth);
+    pen.line(ends, ink, width);
 }
 
 double hair(const PlotPen& pen) { return std::max(1.0, std::round(pen.em() / 13)); }
 
 void stroked(PlotPen& pen, std::span<const glm::dvec2> points, const Series& series) {
-    const double breadth = 0.13 * pen.em();
-    const auto draw = [&](std::span<const glm::dvec2> piece) { pen.line(piece, series.ink, breadth); };
+    const double width = 0.13 * pen.em();
+    const auto draw = [&](std::span<const glm::dvec2> piece) { pen.line(piece, series.ink, width); };
     if (points.size() < 2) return;
     switch (series.dash) {
         case Dash::solid:

@@ -7,10 +7,10 @@ namespace nacre {
 
 void text_centred(PlotPen& pen, glm::dvec2 middle, const std::string& text, Ink ink);
 void text_before(PlotPen& pen, glm::dvec2 right_middle, const std::string& text, Ink ink);
-void straight(PlotPen& pen, glm::dvec2 from, glm::dvec2 to, Ink ink, double breadth);
+void straight(PlotPen& pen, glm::dvec2 from, glm::dvec2 to, Ink ink, double width);
 void stroked(PlotPen& pen, std::span<const glm::dvec2> points, const Series& series);
 
-double hair(const PlotPen& pen);  // breadth of a thin line
+double hair(const PlotPen& pen);  // width of a thin line
 
 // The box without the numbers at the left and the numbers and the title below.
 PlotBox inside_axes(PlotBox rest, const Axis& y, const PlotPen& pen);

@@ -46,7 +46,7 @@ struct PlotSettings {
     bool operator==(const PlotSettings&) const = default;
 };
 
-inline constexpr double incidence_most = 89.9;
+inline constexpr double incidence_max = 89.9;
 
 // Colours are told by their part, so that the screen and a file can choose what suits their ground: first the
 // frame's, then the series'.

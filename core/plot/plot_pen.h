@@ -36,7 +36,7 @@ class PlotPen {
     virtual double em() const = 0;  // height of the text
     virtual double text_width(const std::string& text) const = 0;
     virtual void text(glm::dvec2 left_middle, const std::string& text, Ink ink) = 0;
-    virtual void line(std::span<const glm::dvec2> points, Ink ink, double breadth) = 0;
+    virtual void line(std::span<const glm::dvec2> points, Ink ink, double width) = 0;
     virtual void disc(glm::dvec2 middle, double radius, Ink ink) = 0;
 
     // Four-cornered cells in the order in which they hide each other; a colour for each corner.

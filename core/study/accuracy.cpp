@@ -98,8 +98,8 @@ class AccuracyRun {
             if (wanted == Wanted::area) {
                 add(Quantity::area, truth.area_error_of(table));
             } else {
-                add(Quantity::full_albedo, truth.albedo_error_of(table, 0));
-                add(Quantity::zero_albedo, truth.albedo_error_of(table, 1));
+                add(Quantity::albedo_f1, truth.albedo_error_of(table, 0));
+                add(Quantity::albedo_f0, truth.albedo_error_of(table, 1));
             }
             if (timed.seconds > options_.longest) return;
             inner(static_cast<double>(&setting - way.settings.data() + 1) /
@@ -119,9 +119,9 @@ const char* name_of(Quantity quantity) {
     switch (quantity) {
         case Quantity::area:
             return "g";
-        case Quantity::full_albedo:
+        case Quantity::albedo_f1:
             return "R1";
-        case Quantity::zero_albedo:
+        case Quantity::albedo_f0:
             return "R0";
     }
     return "";

@@ -14,9 +14,9 @@
 namespace nacre {
 
 enum class Quantity {
-    area,         // g; error relative, see area_error()
-    full_albedo,  // R with F = 1; absolute
-    zero_albedo   // R with Schlick's factor of f0 = 0; absolute
+    area,       // g; error relative, see area_error()
+    albedo_f1,  // R with F = 1; absolute
+    albedo_f0   // R with Schlick's factor of f0 = 0; absolute
 };
 
 const char* name_of(Quantity quantity);  // g, R1, R0

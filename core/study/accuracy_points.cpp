@@ -20,7 +20,7 @@ std::vector<ShownPoint> shown_points(const WayAccuracy& way, ChartOf quantity) {
     for (const AccuracyPoint& point : way.points) {
         if ((point.quantity == Quantity::area) != (quantity == ChartOf::area)) continue;
         // R0 follows R1 of the same table.
-        if (point.quantity == Quantity::zero_albedo)
+        if (point.quantity == Quantity::albedo_f0)
             shown.back().error = together(shown.back().error, point.error);
         else
             shown.push_back({point.setting, point.seconds, point.bytes, point.error});

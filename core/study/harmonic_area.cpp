@@ -28,15 +28,15 @@ HarmonicArea::HarmonicArea(const FacetDistribution& distribution, int degree, bo
             if (stop.stop_requested()) throw BakeCancelled();
             add(facet);
         }
-        for (const LobeSpan& span : placed.lobe->spans()) {
-            const LobeWalk walk(placed, span, {0, 0, 1});
+        for (const LobeParameterization& span : placed.lobe->spans()) {
+            const GreatCircleQuadrature walk(placed, span, {0, 0, 1});
             std::vector<double> cuts = {0};
             for (const double at : span.breaks)
                 if (at > 0 && at < 0.5 * pi) cuts.push_back(at);
             cuts.push_back(0.5 * pi);
             for (int j = 0; j < azimuths; ++j) {
                 if (stop.stop_requested()) throw BakeCancelled();
-                const LobeWalk::Ray ray = walk.ray(walk.start() + 2 * pi * j / azimuths);
+                const GreatCircleQuadrature::Ray ray = walk.ray(walk.start() + 2 * pi * j / azimuths);
                 for (std::size_t c = 0; c + 1 < cuts.size(); ++c)
                     for (const QuadraturePoint& point : rule) {
                         Facet facet = walk.facet(ray, cuts[c] + (cuts[c + 1] - cuts[c]) * point.x);

@@ -15,7 +15,7 @@ StoredTable make_table(const Design& design, const PlainGrid& grid, Wanted wante
     }
     const auto baked = bake(design, {.threads = 1}, stop);
     const FacetDistribution& distribution = *baked->distribution;
-    const AlbedoRule rule(distribution, baked->shading, 1, rule_tolerance);
+    const AlbedoQuadrature rule(distribution, baked->shading, 1, rule_tolerance);
     table->fill_area([&](int, dvec3 k) { return distribution.projected_area(k); }, stop);
     table->fill_albedo([&](int, dvec3 k, double g) { return rule(k, g); }, stop);
     return GridTable::stored(table);

@@ -52,7 +52,7 @@ PlainMethodErrors measure_plain_method(const Tables& tables, std::span<const Dir
     for (const dvec3 k : area_probes)
         errors.area =
             worse_error(errors.area, area_error(form, k, plain.area(k), tables.distribution->area(k).g));
-    const AlbedoRule rule(*tables.distribution, form, 0, rule_tolerance);
+    const AlbedoQuadrature rule(*tables.distribution, form, 0, rule_tolerance);
     Random random(26);
     for (const dvec3 k : albedo_probes) {
         if (stop.stop_requested()) throw BakeCancelled();

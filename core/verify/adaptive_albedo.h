@@ -36,8 +36,8 @@ class AdaptiveAlbedo {
                 rules_[i] ? over_picture(*rules_[i], integrand, area, stop)
                           : over_facets(placed, integrand, area, stop),
                 1);
-            for (const LobeSpan& span : placed.lobe->spans()) {
-                const LobeWalk walk(placed, span, integrand.k1);
+            for (const LobeParameterization& span : placed.lobe->spans()) {
+                const GreatCircleQuadrature walk(placed, span, integrand.k1);
                 const std::vector<double> cuts = walk.azimuth_cuts(integrand.shading.kinds.masking_bends());
                 for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
                     add(sum,
@@ -54,7 +54,7 @@ class AdaptiveAlbedo {
   private:
     static constexpr int depth_azimuth = 20, depth_polar = 12;
     // Of a lobe that holds a picture, whose g is not known closer: the tolerance in others', and the least.
-    static constexpr double picture_part = 10, picture_least = 5e-6;
+    static constexpr double picture_part = 10, picture_min = 5e-6;
 
     static void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
@@ -64,7 +64,7 @@ class AdaptiveAlbedo {
     AlbedoValues over_picture(const PictureRule& rule, const FacetAlbedo& integrand, const AreaOf& area,
                               const std::stop_token& stop) const {
         return rule.integrate([&](dvec3 h) { return integrand(h, area); },
-                              std::fmax(picture_part * tolerance_, picture_least), stop);
+                              std::fmax(picture_part * tolerance_, picture_min), stop);
     }
 
     // Nothing of a lobe that has a smooth form.
@@ -81,9 +81,9 @@ class AdaptiveAlbedo {
     }
 
     template <class AreaOf>
-    AlbedoValues over_chi(const FacetAlbedo& integrand, const AreaOf& area, const LobeWalk& walk, double psi,
-                          const std::stop_token& stop) const {
-        const LobeWalk::Ray whole = walk.ray(psi);
+    AlbedoValues over_chi(const FacetAlbedo& integrand, const AreaOf& area, const GreatCircleQuadrature& walk,
+                          double psi, const std::stop_token& stop) const {
+        const GreatCircleQuadrature::Ray whole = walk.ray(psi);
         std::vector<double> cuts;
         walk.cuts(whole, integrand.shading.kinds.masking_bends(), cuts);
         auto at = [&](double chi) {

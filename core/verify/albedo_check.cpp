@@ -34,7 +34,7 @@ dvec3 direction(const AlbedoRings& rings, int index) {
 
 AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std::stop_token stop,
                            const AlbedoRings& rings) {
-    const AlbedoRule rule(*tables.distribution, tables.shading, 0, 0.1 * rule_error);
+    const AlbedoQuadrature rule(*tables.distribution, tables.shading, 0, 0.1 * rule_error);
     const int count = rings.polar * rings.azimuths;
     std::vector<double> values(static_cast<std::size_t>(count));
     tbb::parallel_for(0, count, [&](int i) {

@@ -22,8 +22,8 @@ constexpr int grid_side = 1500;
 // p and (k.h)+ p over one hemisphere, the second divided by `unit`.
 class SpanIntegral {
   public:
-    SpanIntegral(const PlacedLobe& placed, const LobeSpan& span, dvec3 k, double unit, double tolerance,
-                 const std::stop_token& stop)
+    SpanIntegral(const PlacedLobe& placed, const LobeParameterization& span, dvec3 k, double unit,
+                 double tolerance, const std::stop_token& stop)
         : walk_(placed, span, k), span_(span), k_(k), unit_(unit), tolerance_(tolerance), stop_(stop) {}
 
     Pair adaptive() const {
@@ -79,8 +79,8 @@ class SpanIntegral {
         return sum;
     }
 
-    LobeWalk walk_;
-    LobeSpan span_;
+    GreatCircleQuadrature walk_;
+    LobeParameterization span_;
     dvec3 k_;
     double unit_, tolerance_;
     const std::stop_token& stop_;
@@ -114,7 +114,7 @@ FacetIntegral integrate_facets(const Distribution& design, const FacetDistributi
             add_points(sum, placed, k, stop);
             continue;
         }
-        for (const LobeSpan& span : placed.lobe->domains()) {
+        for (const LobeParameterization& span : placed.lobe->domains()) {
             const SpanIntegral integral(placed, span, k, unit, check_tolerance, stop);
             const Pair values = layer.modulation ? integral.on_grid() : integral.adaptive();
             sum.whole += values[0];
@@ -129,7 +129,7 @@ double AdaptiveArea::operator()(dvec3 k, const std::stop_token& stop) const {
     for (std::size_t i = 0; i < facets_.size(); ++i) {
         const PlacedLobe& placed = distribution_.lobes()[i];
         for (const Facet& facet : facets_[i]) sum += facet.mass * std::fmax(glm::dot(facet.h, k), 0.0);
-        for (const LobeSpan& span : placed.lobe->spans())
+        for (const LobeParameterization& span : placed.lobe->spans())
             sum += SpanIntegral(placed, span, k, 1, tolerance_, stop).adaptive()[1];
     }
     return sum;

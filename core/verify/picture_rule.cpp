@@ -38,7 +38,7 @@ std::size_t spread_bits(std::size_t x) {
 }  // namespace
 
 PictureRule::PictureRule(const PlacedLobe& placed) : placed_(placed) {
-    for (const LobeSpan& span : placed.lobe->domains()) {
+    for (const LobeParameterization& span : placed.lobe->domains()) {
         domains_.push_back({span, {}});
         for (int level = 0; level <= last_level; ++level)
             domains_.back().weight[static_cast<std::size_t>(level)].resize(boxes_at(level) * weights);
@@ -49,7 +49,7 @@ PictureRule::PictureRule(const PlacedLobe& placed) : placed_(placed) {
 
 void PictureRule::add_point(const Facet& facet) {
     for (Domain& domain : domains_) {
-        const LobeSpan& span = domain.span;
+        const LobeParameterization& span = domain.span;
         if (facet.h.z * span.flip < 0) continue;
         const dvec3 own = glm::normalize(
             dvec3(facet.h.x / span.stretch.x, facet.h.y / span.stretch.y, facet.h.z * span.flip));
@@ -95,7 +95,7 @@ dvec3 PictureRule::node(const Domain& domain, int level, std::size_t box, std::s
     const dvec2 at(size * (morton_column(box) + nodes()[point % points]) - 1,
                    size * (morton_row(box) + nodes()[point / points]) - 1);
     const dvec3 own = disk_direction(at);
-    const LobeSpan& span = domain.span;
+    const LobeParameterization& span = domain.span;
     return placed_.frame *
            glm::normalize(dvec3(own.x * span.stretch.x, own.y * span.stretch.y, own.z * span.flip));
 }

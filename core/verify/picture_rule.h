@@ -39,7 +39,7 @@ class PictureRule {
 
     // One hemisphere of the lobe: h' is seen on the equal-area disk, and boxes lie in Morton order.
     struct Domain {
-        LobeSpan span;
+        LobeParameterization span;
         std::array<std::vector<double>, last_level + 1> weight;
     };
 

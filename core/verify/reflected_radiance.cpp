@@ -77,10 +77,10 @@ dvec3 RadianceIntegral::over_facets(const View& view) const {
                (weight * facet.mass * 4 * kh / p * (by_facets / (by_facets + by_light)));
     };
     for (const PlacedLobe& placed : tables_->distribution->lobes())
-        for (const LobeSpan& span : placed.lobe->domains()) {
-            const LobeWalk walk(placed, span, k2);
+        for (const LobeParameterization& span : placed.lobe->domains()) {
+            const GreatCircleQuadrature walk(placed, span, k2);
             for (int i = 0; i < 2 * points; ++i) {
-                const LobeWalk::Ray ray = walk.ray(walk.start() + pi * (i + 0.5) / points);
+                const GreatCircleQuadrature::Ray ray = walk.ray(walk.start() + pi * (i + 0.5) / points);
                 const double step = (ray.end - ray.begin) / points;
                 if (!(step > 0)) continue;
                 for (int j = 0; j < points; ++j)

@@ -18,10 +18,10 @@ namespace {
 
 constexpr double seconds = 8;  // of the processor; no fewer than least_directions
 constexpr int least_directions = 3;
-constexpr int samples = 16384;        // from each
-constexpr int facets_most = 1 << 16;  // of all lobes together
+constexpr int samples = 16384;       // from each
+constexpr int facets_max = 1 << 16;  // of all lobes together
 constexpr int cosine_points = 1 << 14;
-constexpr int bins_most = 128;
+constexpr int bins_max = 128;
 constexpr double least_expected = 5;  // in a bin
 
 // All facets above k1's horizon, weighed by what k1 sees of them: they add up to 1. None where it sees none.
@@ -35,11 +35,11 @@ std::vector<Facet> visible_facets(const FacetDistribution& distribution, dvec3 k
         facets.push_back({h, seen});
         sum += seen;
     };
-    const std::size_t count = facets_most / distribution.lobes().size();
+    const std::size_t count = facets_max / distribution.lobes().size();
     for (const PlacedLobe& placed : distribution.lobes()) {
         for (const Facet& facet : placed.lobe->facets(count)) add(placed, facet);
-        const std::vector<LobeSpan> spans = placed.lobe->spans();
-        for (const LobeSpan& span : spans) {
+        const std::vector<LobeParameterization> spans = placed.lobe->spans();
+        for (const LobeParameterization& span : spans) {
             const int side =
                 static_cast<int>(std::sqrt(static_cast<double>(count) / static_cast<double>(spans.size())));
             for (int i = 0; i < side * side; ++i)
@@ -127,7 +127,7 @@ Comparison compare_at(const Brdf& brdf, dvec3 k1, const DirectionSource& source,
         all += share.share;
         all_variance += share.share * share.share;
     }
-    const int most = std::clamp(static_cast<int>(all * samples / (2 * least_expected)), 1, bins_most);
+    const int most = std::clamp(static_cast<int>(all * samples / (2 * least_expected)), 1, bins_max);
     const DirectionBins bins(std::move(shares), most);
     std::vector<double> observed(bins.count(), 0.0);
     double lost = 0;

@@ -14,5 +14,5 @@ real correlated_masking(scalar width, Direction a, Direction b, real g1, real g2
     real dot_product = along1.x * along2.x + along1.y * along2.y;
     real angle = atan(abs(cross_product), dot_product) / width;
     real t = exp(real(-0.5) * angle * angle);
-    return min((real(1.0) - t) * v + bounded_quotient(t, max(g1 * b.k.z, g2 * a.k.z)), real(LARGEST));
+    return min((real(1.0) - t) * v + safe_divide(t, max(g1 * b.k.z, g2 * a.k.z)), real(LARGEST));
 }

@@ -3,5 +3,5 @@
 PURE real smith_correlated_masking(scalar width, Direction a, Direction b, real g1, real g2, scalar N, real v) {
     real p1 = min(N * a.k.z / g1, real(1.0));
     real p2 = min(N * b.k.z / g2, real(1.0));
-    return bounded_quotient(v, (p1 + p2) - p1 * p2);
+    return safe_divide(v, (p1 + p2) - p1 * p2);
 }

@@ -22,7 +22,7 @@ real visibility(Direction a, Direction b) READS {
         g1 = max(g1, nc1);
         g2 = max(g2, nc2);
     }
-    real v = bounded_quotient(real(surface.N), g1 * g2);
+    real v = safe_divide(real(surface.N), g1 * g2);
 #define MASKING_CASE(index, model) if (MASKING_IS(index)) v = model(surface.masking_width, a, b, g1, g2, surface.N, v);
 EACH_MASKING
 #undef MASKING_CASE
@@ -85,7 +85,7 @@ real clamped_part(real3 k, real g) READS {
 
 // R(k) of the design's own Fresnel factor, from the tables.
 real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
-    real full = full_albedo(spot);
+    real full = albedo_f1(spot);
     real3 r = real3(full);
 #if HAS_LINEAR_FRESNEL
     if (FRESNEL_IS_LINEAR) {

@@ -31,7 +31,7 @@ PURE real3 in_model_axes(ClosedForm form, real3 k) {
 // delta and phi of the half vector, of which any length will do (Walter 2005, eq. 4).
 PURE real ward(ClosedForm form, real3 k1, real3 k2) {
     real lobe = real(0.25) * form.scale * gaussian_density(k1 + k2, form.inverse_width);
-    return bounded_quotient(lobe, sqrt(k1.z * k2.z));
+    return safe_divide(lobe, sqrt(k1.z * k2.z));
 }
 #endif
 
@@ -46,7 +46,7 @@ PURE real ggx_reach(ClosedForm form, real3 k) {
 
 PURE real ggx(ClosedForm form, real3 k1, real3 k2, real3 h) {
     real lobe = real(0.5) * form.scale * ggx_density(h, form.inverse_width);
-    return bounded_quotient(lobe, k2.z * ggx_reach(form, k1) + k1.z * ggx_reach(form, k2));
+    return safe_divide(lobe, k2.z * ggx_reach(form, k1) + k1.z * ggx_reach(form, k2));
 }
 #endif
 
@@ -57,7 +57,7 @@ PURE real ggx(ClosedForm form, real3 k1, real3 k2, real3 h) {
 PURE real cook_torrance(ClosedForm form, real3 k1, real3 k2, real3 h, real cosine) {
     real lobe = real(0.25) * form.scale * beckmann_density(h, form.inverse_width);
     real grooves = min(real(2.0) * h.z * min(k1.z, k2.z) / cosine, real(1.0));
-    return bounded_quotient(lobe * grooves, k1.z * k2.z);
+    return safe_divide(lobe * grooves, k1.z * k2.z);
 }
 #endif
 
@@ -77,9 +77,9 @@ PURE real3 oren_nayar(ClosedForm form, real3 k1, real3 k2) {
     turn = min(max(turn, real(-1.0)), real(1.0));  // cos(phi2 - phi1)
     scalar share = form.sigma2 / (form.sigma2 + scalar(0.09));
     real lean = max(sine1, sine2) - select(turn >= real(0.0), real(0.0), beta * beta * beta);
-    real tan_beta = bounded_quotient(min(sine1, sine2), max(k1.z, k2.z));
+    real tan_beta = safe_divide(min(sine1, sine2), max(k1.z, k2.z));
     // tan((theta1 + theta2)/2) = sin/(1 + cos) of the sum.
-    real tan_middle = bounded_quotient(sine1 * k2.z + sine2 * k1.z,
+    real tan_middle = safe_divide(sine1 * k2.z + sine2 * k1.z,
                                        max(real(1.0) + (k1.z * k2.z - across), real(0.0)));
     real angles = (real(2.0) / TABLE_PI) * alpha * beta;  // 4 alpha beta/pi^2
     real once = real(1.0) - real(0.5) * (form.sigma2 / (form.sigma2 + scalar(0.33)));

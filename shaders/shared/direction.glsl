@@ -6,6 +6,6 @@ struct Direction {
 };
 
 // a/b of a, b >= 0, and the largest number where that is greater or b is 0; 0/b is 0 for every b.
-PURE real bounded_quotient(real a, real b) {
+PURE real safe_divide(real a, real b) {
     return select(a < b * LARGEST, a / b, select(a > real(0.0), real(LARGEST), real(0.0)));
 }

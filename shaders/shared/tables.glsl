@@ -144,7 +144,7 @@ real projected_area(real3 k, TableSpot spot) READS {
 
 #if HAS_ALBEDO
 // R G/g with F = 1 (the paper's f0 = 1)                                    (Ashikhmin 2000, eq. 29)
-real full_albedo(AlbedoSpot spot) READS {
+real albedo_f1(AlbedoSpot spot) READS {
     return max(table_value(spot.rho, surface.tables.albedo_offset, surface.tables.nodes_v, spot.v), real(0.0));
 }
 

@@ -7,7 +7,7 @@ real masking(Direction a) READS {
     real nc = surface.N * a.k.z;
     real g = a.g;
     if (CLAMP_VISIBILITY) g = max(g, nc);
-    return bounded_quotient(nc, g);
+    return safe_divide(nc, g);
 }
 
 // p(h) of the facets that mirror one direction into the other, 1/sr; 0 where no facet can.
@@ -23,5 +23,5 @@ real3 mirroring_fresnel(Direction a, Direction b) READS {
 
 // 1/(g1 g2), p normalised to 1; with a correlated masking what stands in its place: P12/(N^2 c1 c2).
 real inverse_areas(Direction a, Direction b) READS {
-    return bounded_quotient(visibility(a, b), real(surface.N));
+    return safe_divide(visibility(a, b), real(surface.N));
 }

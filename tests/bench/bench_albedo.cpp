@@ -36,7 +36,7 @@ struct Setup {
     }
 
     std::shared_ptr<const Tables> tables;
-    AlbedoRule rule;
+    AlbedoQuadrature rule;
     std::vector<Shading<double>::Direction> ks;
     std::vector<dvec2> truth;
 };

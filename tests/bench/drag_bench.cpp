@@ -42,7 +42,7 @@ struct Run {
 // Holds the button for some seconds, sixty frames a second at the most: calls move(seconds since the
 // beginning) before each frame and drawn(its beginning, run) after it, and counts the tables that it brought.
 template <class Move, class Drawn>
-Run hold_button(nacre::Stage& stage, double seconds, const Move& move, const Drawn& drawn) {
+Run hold_button(nacre::HeadlessDesigner& stage, double seconds, const Move& move, const Drawn& drawn) {
     Run run;
     auto shown = stage.designer().tables;
     const auto begin = Clock::now();
@@ -66,7 +66,7 @@ Run hold_button(nacre::Stage& stage, double seconds, const Move& move, const Dra
 }
 
 // Moves the pointer to and fro over a slider of a tab.
-Run drag(nacre::Stage& stage, const std::string& tab, const std::string& slider, double seconds) {
+Run drag(nacre::HeadlessDesigner& stage, const std::string& tab, const std::string& slider, double seconds) {
     stage.play(nacre::parse_events("click \"" + tab + "\"", tab));
     stage.wait_for_bake();
     const ImVec4 box = stage.items().rectangle(slider).value();
@@ -85,7 +85,7 @@ Run drag(nacre::Stage& stage, const std::string& tab, const std::string& slider,
 }
 
 // Paints. `frames` are the times from an event to the end of the first frame whose sphere shows it.
-Run paint(nacre::Stage& stage, double seconds) {
+Run paint(nacre::HeadlessDesigner& stage, double seconds) {
     stage.play(nacre::parse_events("click \"Paint\"", "paint"));
     stage.wait_for_bake();
     const ImVec4 box = stage.items().rectangle("Canvas").value();
@@ -122,7 +122,7 @@ void print(const char* name, Run run) {
 }
 
 void compare(double seconds) {
-    nacre::Stage stage({});
+    nacre::HeadlessDesigner stage({});
     stage.designer().document = nacre::Document(anisotropic_design());
     stage.frame();
     stage.frame();

@@ -129,7 +129,7 @@ Finished run_cli(const std::vector<std::string>& arguments, const ChildOptions& 
     for (const int descriptor : options.closed) spawn.close(descriptor);
     const pid_t child = [&] {
         std::optional<FileSizeLimit> limit;
-        if (options.file_bytes_most >= 0) limit.emplace(static_cast<rlim_t>(options.file_bytes_most));
+        if (options.file_bytes_max >= 0) limit.emplace(static_cast<rlim_t>(options.file_bytes_max));
         return spawn.start(arguments, options.environment);
     }();
     Finished finished;

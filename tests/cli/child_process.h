@@ -24,7 +24,7 @@ struct ChildOptions {
     std::vector<std::string> environment = {};  // NAME=VALUE, beside what there is
     bool output_reader_gone = false;
     bool output_slow = false;   // a pipe that does not wait, read from little by little
-    long file_bytes_most = -1;  // how far a file may grow (RLIMIT_FSIZE); as far as it will below 0
+    long file_bytes_max = -1;   // how far a file may grow (RLIMIT_FSIZE); as far as it will below 0
     int signal = 0;             // sent after `signal_after`
     double signal_after = 0.5;  // seconds
 };

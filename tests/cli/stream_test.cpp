@@ -184,13 +184,13 @@ TEST_CASE("a file that may not grow is an error and no signal, and the old file 
         if (name == std::string("a.glsl")) verb = {"export", design.path(), "--to", "glsl", "-o", file};
         if (name == std::string("a.svg")) verb = {"plot", design.path(), "--what", "density", "-o", file};
         write_all(file, "old");
-        const Finished finished = run_cli(verb, {.file_bytes_most = 500});
+        const Finished finished = run_cli(verb, {.file_bytes_max = 500});
         CHECK(finished.code == 1);
         CHECK_MESSAGE(is_one_line_with(finished.err, {name, ": write: ", "(File too large)"}), finished.err);
         CHECK(read_all(file) == "old");
     }
     CHECK(folder.size() == 4);
-    const Finished answers = run_cli({"info", design.path()}, {.file_bytes_most = 100});
+    const Finished answers = run_cli({"info", design.path()}, {.file_bytes_max = 100});
     CHECK(answers.code == 1);
     CHECK_MESSAGE(is_one_line_with(answers.err, {"standard output: write: ", "(File too large)"}),
                   answers.err);

@@ -61,7 +61,7 @@ TEST_CASE("g and R of the tables agree with the reference") {
             const dvec3 k = i == 0 ? polar(1e-5, 0.3) : random_direction(random);
             const auto spot = shading.table_spot(k);
             const auto albedo = shading.albedo_spot(k, spot);
-            const double g = shading.projected_area(k, spot), full = shading.full_albedo(albedo);
+            const double g = shading.projected_area(k, spot), full = shading.albedo_f1(albedo);
             const AlbedoValues exact = reference.albedo(k);
             CHECK(std::fabs(g / reference.projected_area(k) - 1) < 1e-3);
             CHECK(std::fabs(full - exact[0]) < 2e-3);

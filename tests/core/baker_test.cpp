@@ -55,16 +55,16 @@ TEST_CASE("a colour bakes nothing, and the tables are those of a new bake") {
     Baker baker;
     Design design = two_layers();
     const auto first = baker.bake(design);
-    CHECK(baker.area_origin() == TableOrigin::baked);
-    CHECK(baker.albedo_origin() == TableOrigin::baked);
-    CHECK(first->made_seconds > 0);
+    CHECK(baker.area_origin() == TableOrigin::rebuilt);
+    CHECK(baker.albedo_origin() == TableOrigin::rebuilt);
+    CHECK(first->bake_seconds > 0);
     std::get<CoupledDiffuse>(design.diffuse).albedo = {0.9, 0.1, 0.2};
     std::get<SchlickFresnel>(design.fresnel).f0 = {0.5, 0.4, 0.3};
     design.distribution.layers[0].name = "renamed";
     const auto kept = baker.bake(design);
-    CHECK(baker.area_origin() == TableOrigin::kept);
-    CHECK(baker.albedo_origin() == TableOrigin::kept);
-    CHECK(kept->made_seconds == first->made_seconds);
+    CHECK(baker.area_origin() == TableOrigin::reused);
+    CHECK(baker.albedo_origin() == TableOrigin::reused);
+    CHECK(kept->bake_seconds == first->bake_seconds);
     check_same(*kept, *bake(design));
 }
 
@@ -74,8 +74,8 @@ TEST_CASE("another masking keeps g and bakes R") {
     baker.bake(design);
     design.shadowing.model = CorrelatedMasking{};
     const auto again = baker.bake(design);
-    CHECK(baker.area_origin() == TableOrigin::kept);
-    CHECK(baker.albedo_origin() == TableOrigin::baked);
+    CHECK(baker.area_origin() == TableOrigin::reused);
+    CHECK(baker.albedo_origin() == TableOrigin::rebuilt);
     check_same(*again, *bake(design));
 }
 
@@ -96,13 +96,13 @@ TEST_CASE("a draft sums g again after a change of weights, and says how far it i
     for (const double weight : {0.55, 0.6, 0.7}) {
         design.distribution.layers[1].weight = weight;
         const auto tables = baker.bake(design, draft);
-        CHECK(baker.area_origin() == TableOrigin::summed);
+        CHECK(baker.area_origin() == TableOrigin::updated);
         CHECK(worst_error(*tables) < 1.25 * tables->errors.area.worst);
         CHECK(worst_error(*tables) < 0.01);
     }
     design.distribution.layers[1].lobe = GgxLobe{0.01, 0.01};
     baker.bake(design, draft);
-    CHECK(baker.area_origin() == TableOrigin::baked);
+    CHECK(baker.area_origin() == TableOrigin::rebuilt);
 }
 
 TEST_CASE("a draft adds a dab to g, and the lobe is the same to the bit as one made anew") {
@@ -111,7 +111,7 @@ TEST_CASE("a draft adds a dab to g, and the lobe is the same to the bit as one m
     baker.bake(painted(0.5), draft);
     const Design dabbed = painted(2);
     const auto tables = baker.bake(dabbed, draft);
-    CHECK(baker.area_origin() == TableOrigin::summed);
+    CHECK(baker.area_origin() == TableOrigin::updated);
     CHECK(worst_error(*tables) < 1.25 * tables->errors.area.worst);
     const FacetDistribution anew(dabbed.distribution);
     Random random(6);
@@ -131,7 +131,7 @@ TEST_CASE("a stopped bake leaves the baker as it was") {
     stop.request_stop();
     CHECK_THROWS_AS(baker.bake(other, {}, stop.get_token()), BakeCancelled);
     baker.bake(design);
-    CHECK(baker.area_origin() == TableOrigin::kept);
+    CHECK(baker.area_origin() == TableOrigin::reused);
 }
 
 TEST_SUITE_END();

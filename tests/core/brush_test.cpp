@@ -184,7 +184,7 @@ TEST_CASE("brush: whatever is done, values stay finite, not negative and not abo
             const auto pick = [&](int count) { return static_cast<int>(count * uniform_random(random)); };
             StrokeStyle style = style_of(paint_tools[pick(std::size(paint_tools))],
                                          static_cast<SymmetryKind>(pick(6)), 2 + pick(20));
-            style.brush = {brush_radius_least + 50 * uniform_random(random), uniform_random(random),
+            style.brush = {brush_radius_min + 50 * uniform_random(random), uniform_random(random),
                            uniform_random(random)};
             if (pick(4) == 0) style.brush.hardness = 1;
             dvec3 a = test::random_direction(random), b = test::random_direction(random);

@@ -145,7 +145,7 @@ TEST_CASE("a rule is refined where the directions that chose it missed a narrow 
     const Design design = design_of(GgxLobe{0.1, 1});
     // So many nodes that g adds nothing.
     const auto tables = bake(design, {.size = TableSize{257, 65, 9, 9}});
-    AlbedoRule rule(*tables->distribution, tables->shading, 1, 3e-4);
+    AlbedoQuadrature rule(*tables->distribution, tables->shading, 1, 3e-4);
     const dvec3 k = polar(1.28e-5, 0.0620168);
     const double g = tables->distribution->projected_area(k);
     const double exact = Reference(design).albedo(k)[0];

@@ -128,7 +128,7 @@ TEST_CASE("the bake's rule for R under eq. 14 keeps to its tolerance") {
             const Design design = correlated(GgxLobe{0.4, 0.4}, width, tilt, 35);
             const Reference reference(design);
             const auto tables = bake(design, {.tolerance = 2e-4});
-            const AlbedoRule rule(*tables->distribution, tables->shading, 0, tolerance);
+            const AlbedoQuadrature rule(*tables->distribution, tables->shading, 0, tolerance);
             for (const dvec3 k : {polar(0.9, 0.2), polar(0.4, 2.5), polar(0.02, 0.4)}) {
                 CAPTURE(k.z);
                 const double g = reference.projected_area(k);

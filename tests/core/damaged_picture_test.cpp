@@ -82,7 +82,7 @@ std::string outcome(const fs::path& file, int filling) {
 
 bool is_error(const std::string& outcome) { return !outcome.starts_with("picture "); }
 
-long resident_most() {
+long resident_max() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_maxrss;  // KiB
@@ -159,14 +159,14 @@ TEST_CASE("damaged picture: rows of nothing but a claim take no memory") {
         {"claim.jp2",
          std::string("\xFF\x4F\xFF\x51\0\x2F\0\0", 8) + big(16384) + big(8192) + std::string(24, '\0')},
         {"claim.tga", std::string("\0\0\x0A\0\0\0\0\0\0\0\0\0\0\x40\0\x20\x18\0", 18)}};
-    const long before = resident_most();
+    const long before = resident_max();
     for (const auto& claim : claims) {
         CAPTURE(claim.first);
         const std::filesystem::path file = folder / claim.first;
         write_all(file, claim.second);
         CHECK(!user_error_of([&] { load_lat_long(file); }).empty());
     }
-    CHECK(resident_most() - before < 300 * 1024);
+    CHECK(resident_max() - before < 300 * 1024);
 }
 
 TEST_CASE("damaged picture: blocks of an EXR that hold fewer pixels than they stand for show no memory") {

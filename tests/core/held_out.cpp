@@ -91,7 +91,7 @@ HeldOutError held_out_area(const Tables& tables, const std::vector<dvec3>& direc
 HeldOutError held_out_albedo(const Design& design, const Tables& tables,
                              const std::vector<dvec3>& directions) {
     const int channels = tables.needs.fresnel_tables;
-    const AlbedoRule rule(*tables.distribution, tables.shading, channels, tables.tolerance / 40);
+    const AlbedoQuadrature rule(*tables.distribution, tables.shading, channels, tables.tolerance / 40);
     const auto by_rule = in_order(directions, [&](dvec3 k) {
         return albedo_error(tables.shading, k, rule(k, tables.distribution->projected_area(k)), channels);
     });

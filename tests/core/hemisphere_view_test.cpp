@@ -74,9 +74,9 @@ TEST_CASE("view: the wheel keeps what is under the pointer, and all is shown aga
     CHECK(closer.camera().zoom == doctest::Approx(3));
     CHECK(glm::length(*closer.direction(pixel) - *view.direction(pixel)) < 1e-9);
     const HemisphereCamera back = zoomed(closer, {10, 10}, 1e-3);
-    CHECK(back.zoom == zoom_least);
+    CHECK(back.zoom == zoom_min);
     CHECK(glm::length(back.centre) == 0);
-    CHECK(zoomed(closer, pixel, 1e6).zoom == zoom_most);
+    CHECK(zoomed(closer, pixel, 1e6).zoom == zoom_max);
 }
 
 TEST_CASE("view: a drag moves the picture with the pointer, but not out of sight") {

@@ -100,7 +100,7 @@ TEST_CASE("R never exceeds 1 under clamp, for any p") {
             const double g = reference.projected_area(k);
             // The bake's rule on the exact g of the viewer and a table for the rest.
             const auto tables = bake(design, {.quality = Quality::draft, .albedo = true});
-            const AlbedoRule rule(reference.distribution(), tables->shading, 0, 1e-4);
+            const AlbedoQuadrature rule(reference.distribution(), tables->shading, 0, 1e-4);
             RC_ASSERT(rule(k, g)[0] < 1 + 2e-3);
         },
         40));

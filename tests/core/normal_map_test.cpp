@@ -214,7 +214,7 @@ TEST_CASE("normal map: heights keep their 16 bits") {
     for (int i = 0; i < 64; ++i) text += std::to_string(30000 + 3 * (i % 8)) + "\n";
     std::ofstream(folder.path() / "ramp.pgm") << text;
     const ColourPicture picture = load_colours(folder.path() / "ramp.pgm");
-    // A depth of 1000 breadths: 3/65535 of it a pixel, which is an eighth of the breadth.
+    // A depth of 1000 widths: 3/65535 of it a pixel, which is an eighth of the width.
     const double slope = 1000 * 8 * 3 / 65535.0;
     CHECK(normals_of_heights(picture, 1000).at(8 * 4 + 4).x ==
           doctest::Approx(-slope / std::hypot(1, slope)).epsilon(0.01));

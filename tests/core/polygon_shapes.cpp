@@ -72,9 +72,9 @@ Flat thorns(int n, unsigned seed) {
 }
 
 Flat plate(int holes) {
-    const double breadth = 3 * holes + 1, height = holes + 3;
+    const double width = 3 * holes + 1, height = holes + 3;
     const auto corner = [&](int hole) { return glm::dvec2(3 * hole + 1, holes - hole); };
-    Flat p{{0, 0}, {breadth, 0}, {breadth, height}, {0, height}, {0, 0}};
+    Flat p{{0, 0}, {width, 0}, {width, height}, {0, height}, {0, 0}};
     for (int i = 0; i < holes; ++i)
         for (const glm::dvec2 to : {glm::dvec2(0, 0), {0, 1}, {1, 1}, {1, 0}, {0, 0}})
             p.push_back(corner(i) + to);

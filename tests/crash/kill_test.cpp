@@ -111,7 +111,7 @@ std::vector<std::string> kill_one(const std::string& mode, const fs::path& folde
 // What the next start would offer. More than one work in the folder is a failure.
 std::optional<Design> recovered(const fs::path& folder) {
     std::optional<Design> found;
-    for (OwnedFolder& orphan : own_orphans(folder)) {
+    for (LockedDirectory& orphan : claim_abandoned(folder)) {
         const fs::path file = orphan.path() / autosave_name;
         if (!fs::exists(file)) continue;
         CHECK(!found);

@@ -40,8 +40,8 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 // Stripes, so that a stroke changes it.
 std::string striped_raster(int side) {
-    const std::string breadth = std::to_string(side);
-    std::string text = "{\"width\": " + breadth + ", \"height\": " + breadth + ", \"values\": [1";
+    const std::string width = std::to_string(side);
+    std::string text = "{\"width\": " + width + ", \"height\": " + width + ", \"values\": [1";
     for (int i = 1; i < side * side; ++i) text += i % 2 == 0 ? ",1" : ",0";
     return text + "]}";
 }

@@ -33,7 +33,7 @@ TEST_CASE("autosave: follows each step, goes when all is saved, and stays where 
         r.designer().autosave.wait();
         r.play("frames 1");
         CHECK(r.designer().autosave.problem().empty());
-        CHECK(own_orphans(unsaved).empty());  // its owner lives
+        CHECK(claim_abandoned(unsaved).empty());  // its owner lives
         r.play("key Ctrl+Z");
         r.designer().autosave.wait();
         CHECK(std::distance(fs::recursive_directory_iterator(unsaved), {}) == 2);  // the folder and its lock

@@ -183,7 +183,8 @@ TEST_CASE("canvas: a place on the hemisphere is the canvas's alone") {
 TEST_CASE("canvas: its picture has the framebuffer's pixels, however many a unit of the interface has") {
     for (const float pixels : {1.0f, 2.0f}) {
         CAPTURE(pixels);
-        Stage stage({.size = {1000, 700}, .ui_scale = 0.5f, .pixels_a_unit = pixels, .bake_threads = 1});
+        HeadlessDesigner stage(
+            {.size = {1000, 700}, .ui_scale = 0.5f, .pixels_a_unit = pixels, .bake_threads = 1});
         stage.designer().canvas.insist_on_best();
         stage.frame();
         stage.play(parse_events("move \"Canvas\":@20,30", "test"));

@@ -69,20 +69,20 @@ TEST_CASE("compare: the present design differs from its snapshot by nothing unti
     CHECK(r.designer().preview.difference()->largest > 0.01);
 }
 
-TEST_CASE("compare: each opponent can be chosen and is baked without a wait of the interface") {
+TEST_CASE("compare: each comparison_model can be chosen and is baked without a wait of the interface") {
     Rig r;
     r.layers()[0].lobe = GaussianLobe{0.8, 0.8};  // rough, so that maskings differ
     r.play("wait\nclick \"Compare\"\nframes 2");
     r.play("click \"View Difference\"\nframes 2");
-    for (const Opponent& opponent : all_opponents()) {
-        CAPTURE(label_of(opponent));
-        r.open_list("Right", label_of(opponent).c_str());
+    for (const ComparisonModel& comparison_model : all_comparison_models()) {
+        CAPTURE(label_of(comparison_model));
+        r.open_list("Right", label_of(comparison_model).c_str());
         r.play("wait\nframes 2");
         CHECK(r.comparison().problem().empty());
         REQUIRE(r.designer().preview.difference());
         const double rms = r.designer().preview.difference()->root_mean_square;
         // The starter's own masking is the uncorrelated one.
-        if (opponent == Opponent(MaskingModel(UncorrelatedMasking{}))) {
+        if (comparison_model == ComparisonModel(MaskingModel(UncorrelatedMasking{}))) {
             CHECK(rms == 0);
         } else {
             CHECK(rms > 0);

@@ -25,7 +25,7 @@ TEST_CASE("environment: chosen from the list, it stands in for the lights until 
     CHECK(r.surroundings().picture->name == "furnace");
     CHECK(!lights_shine(r.designer().scene));
     CHECK(!r.stage.items().rectangle("Light polar angle"));
-    r.play("click \"Lights too\"\nframes 2");
+    r.play("click \"Keep scene lights\"\nframes 2");
     CHECK(lights_shine(r.designer().scene));
     CHECK(r.stage.items().rectangle("Light polar angle"));
     r.play("click \"Environment\"\nclick \"None\"\nframes 2");
@@ -48,7 +48,7 @@ TEST_CASE("environment: the window is in motion while its picture grows, and res
     r.designer().environment.want("furnace");
     CHECK(in_motion(r.designer()));
     r.play("wait\nframes 20");
-    CHECK(r.designer().preview.gathering());
+    CHECK(r.designer().preview.environment_accumulator());
     CHECK(in_motion(r.designer()));
     r.surroundings().picture.reset();
     r.play("wait\nframes 20");

@@ -123,7 +123,7 @@ TEST_CASE("desktop's dialog: zenity is asked for surroundings, an object and a p
     Rig r(dialog.program());
     const std::string here = "--filename=" + folder.path().string() + "/";
     const Words pictures = {
-        "--file-selection", "--title=Open surroundings",
+        "--file-selection", "--title=Open environment map",
         "--file-filter=Picture by latitude and longitude | *.exr *.EXR *.hdr *.HDR *.tif *.TIF *.tiff *.TIFF "
         "*.pfm *.PFM *.ppm *.PPM *.png *.PNG *.jpg *.JPG *.jpeg *.JPEG *.webp *.WEBP *.tga *.TGA *.bmp *.BMP "
         "*.psd *.PSD *.dds *.DDS *.jp2 *.JP2 *.j2k *.J2K *.heic *.HEIC *.heif *.HEIF *.avif *.AVIF"};
@@ -170,7 +170,7 @@ TEST_CASE("desktop's dialog: kdialog is asked for surroundings, an object and a 
     Rig r(dialog.program());
     r.play("click \"Plot masking\"\nwait");
     ask(r, dialog, surroundings, folder / "sky.exr");
-    CHECK(dialog.arguments() == Words{"--title", "Open surroundings", "--getopenfilename", "./",
+    CHECK(dialog.arguments() == Words{"--title", "Open environment map", "--getopenfilename", "./",
                                       "*.exr *.hdr *.tif *.tiff *.pfm *.ppm *.png *.jpg *.jpeg *.webp *.tga "
                                       "*.bmp *.psd *.dds *.jp2 *.j2k *.heic *.heif *.avif"});
     CHECK(r.scene().environment.picture);

@@ -15,24 +15,24 @@ ImVec4 box(Rig& rig, const char* widget) {
     return *found;
 }
 
-float breadth(Rig& rig, const char* widget) { return box(rig, widget).z - box(rig, widget).x; }
+float width(Rig& rig, const char* widget) { return box(rig, widget).z - box(rig, widget).x; }
 
 }  // namespace
 
 TEST_CASE("Layout: a border goes where it is dragged, stays there, and goes back by a double click") {
     Rig rig;
-    const float canvas = breadth(rig, "Canvas"), preview = breadth(rig, "Preview");
+    const float canvas = width(rig, "Canvas"), preview = width(rig, "Preview");
     rig.play("drag \"Canvas border\" 900 400\n");
     rig.stage.frame();
     CHECK(box(rig, "Preview").x == doctest::Approx(900).epsilon(0.01));
-    CHECK(breadth(rig, "Canvas") + breadth(rig, "Preview") == doctest::Approx(canvas + preview));
+    CHECK(width(rig, "Canvas") + width(rig, "Preview") == doctest::Approx(canvas + preview));
     const Layout dragged = rig.designer().settings.values.layout;
     CHECK(dragged != Layout());
     rig.play("move 640 300\nframes 5\n");
     CHECK(rig.designer().settings.values.layout == dragged);
     rig.play("click \"Canvas border\"\nclick \"Canvas border\"\nmove 640 300\n");
     rig.stage.frame();
-    CHECK(breadth(rig, "Canvas") == doctest::Approx(canvas).epsilon(0.005));
+    CHECK(width(rig, "Canvas") == doctest::Approx(canvas).epsilon(0.005));
 }
 
 TEST_CASE("Layout: the panel's border moves the panel alone, within bounds") {

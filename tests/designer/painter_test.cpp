@@ -199,10 +199,10 @@ class Hour {
         REQUIRE(box);
         const std::vector<std::uint8_t> window = rig_.stage.pixels();
         std::vector<std::uint8_t> canvas;
-        const auto breadth = static_cast<std::size_t>(rig_.stage.size().x);
+        const auto width = static_cast<std::size_t>(rig_.stage.size().x);
         for (auto y = static_cast<std::size_t>(box->y); y < static_cast<std::size_t>(box->w); ++y)
             for (auto x = 4 * static_cast<std::size_t>(box->x); x < 4 * static_cast<std::size_t>(box->z); ++x)
-                canvas.push_back(window[4 * y * breadth + x]);
+                canvas.push_back(window[4 * y * width + x]);
         return canvas;
     }
 

@@ -86,5 +86,5 @@ TEST_CASE("picture notes: surroundings tell theirs below their choice") {
     const auto note = r.stage.items().rectangle("1 of 128 pixels are below 0, down to -0.5, and count as 0");
     REQUIRE(note);
     CHECK(note->y > r.stage.items().rectangle("Environment")->w);
-    CHECK(note->w <= r.stage.items().rectangle("Environment turn")->y);
+    CHECK(note->w <= r.stage.items().rectangle("Environment rotation")->y);
 }

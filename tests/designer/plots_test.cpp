@@ -58,7 +58,7 @@ TEST_CASE("plots: a drag in the polar plot moves the light, in the space one it 
     Rig r;
     r.play("click \"Plots\"\nclick \"Plot lobe\"\nwait\ndrag \"Plot\":0.4,0.5 \"Plot\":0.15,0.9");
     CHECK(r.settings().incidence > 70);
-    CHECK(r.settings().incidence <= incidence_most);
+    CHECK(r.settings().incidence <= incidence_max);
     const auto incidence = [&] { return std::get<LobePlot>(r.plots().plot()->contents).incidence; };
     r.play("frames 1");
     CHECK(incidence() == r.settings().incidence);

@@ -11,7 +11,7 @@
 namespace nacre::test {
 
 struct Rig {
-    Stage stage;
+    HeadlessDesigner stage;
 
     explicit Rig(int bake_threads = 1) : Rig(StageOptions{.bake_threads = bake_threads}) {}
     explicit Rig(glm::ivec2 size, int bake_threads = 1)

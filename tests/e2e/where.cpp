@@ -12,7 +12,7 @@
 namespace {
 
 void print_places(const std::vector<std::string>& arguments) {
-    nacre::Stage stage({});
+    nacre::HeadlessDesigner stage({});
     stage.frame(false);
     stage.frame(false);
     std::size_t i = 0;

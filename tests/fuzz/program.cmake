@@ -32,7 +32,7 @@ file(GLOB line_sources ${app}/cli/direction_lines.cpp ${app}/cli/line_source.cpp
     ${app}/cli/output.cpp ${app}/cli/progress.cpp ${app}/cli/message.cpp)
 nacre_fuzz_target(lines fuzz/fuzz_lines.cpp ${line_sources})
 target_link_libraries(nacre-fuzz-lines PRIVATE TBB::tbb)
-set(kept ${app}/designer/kept_file.cpp)
+set(kept ${app}/designer/private_json_file.cpp)
 nacre_fuzz_target(settings fuzz/fuzz_settings.cpp ${app}/designer/settings.cpp ${kept})
 nacre_fuzz_target(recent fuzz/fuzz_recent.cpp ${app}/designer/recent_files.cpp ${kept})
 nacre_fuzz_target(unsaved fuzz/fuzz_unsaved.cpp ${app}/designer/autosave.cpp ${app}/designer/document.cpp ${kept})

@@ -22,10 +22,11 @@ Design preset(const char* name) {
     return load_design(std::string(NACRE_SOURCE_DIR "/presets/") + name + ".nacre");
 }
 
-ComparedSurface surface(const Design& design, const std::optional<Opponent>& opponent = {},
+ComparedSurface surface(const Design& design, const std::optional<ComparisonModel>& comparison_model = {},
                         bool albedo = false) {
     Baker baker;
-    return bake_compared(baker, design, opponent, {.quality = Quality::draft, .albedo = albedo});
+    return bake_for_comparison(baker, design, comparison_model,
+                               {.quality = Quality::draft, .albedo = albedo});
 }
 
 double at(const std::vector<float>& picture, glm::ivec2 pixel, int channels, int channel) {

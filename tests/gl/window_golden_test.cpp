@@ -49,7 +49,7 @@ std::vector<float> picture_of(const State& state) {
     if (*state.preset)
         options.design = load_design(std::string(NACRE_SOURCE_DIR "/presets/") + state.preset + ".nacre");
     options.script = parse_events(state.script, state.name);
-    Stage stage({.size = options.size, .bake_threads = 2});
+    HeadlessDesigner stage({.size = options.size, .bake_threads = 2});
     const Screenshot shot = screenshot(options, stage);
     const auto tables = stage.items().rectangle("Baked tables"), plots = stage.items().rectangle("Plots");
     REQUIRE((tables && plots));
@@ -72,7 +72,7 @@ TEST_CASE("every state of the window looks as it did" * doctest::skip(other_imgu
 TEST_CASE("a letter that is missing in the window would be noticed") {
     const std::vector<float> window = picture_of(states[0]);
     CHECK(golden_fault(rule, window, window) == "");
-    Stage stage({.size = size, .bake_threads = 2});
+    HeadlessDesigner stage({.size = size, .bake_threads = 2});
     screenshot({}, stage);
     const auto word = stage.items().rectangle("Layers");
     REQUIRE(word);

@@ -40,19 +40,19 @@ TEST_CASE("material: changing the diffuse model keeps the colour") {
 TEST_CASE("material: changing the Fresnel model keeps f0 as nearly as the other can have it") {
     Fresnel fresnel = DielectricFresnel{1.5};
     PanelRig rig([&] { ui::fresnel_panel(fresnel); });
-    rig.choose("Reflection", "Schlick");
+    rig.choose("Fresnel", "Schlick");
     REQUIRE(std::holds_alternative<SchlickFresnel>(fresnel));
     for (int i = 0; i < 3; ++i)
         CHECK(std::get<SchlickFresnel>(fresnel).f0[i] == doctest::Approx(0.04).epsilon(1e-12));
     const glm::dvec3 gold(0.95, 0.7, 0.3);
     fresnel = SchlickFresnel{gold};
-    rig.choose("Reflection", "Conductor");
+    rig.choose("Fresnel", "Conductor");
     REQUIRE(std::holds_alternative<ConductorFresnel>(fresnel));
     for (int i = 0; i < 3; ++i)
         CHECK(normal_reflectance(fresnel)[i] == doctest::Approx(gold[i]).epsilon(1e-9));
-    rig.choose("Reflection", "Dielectric");
+    rig.choose("Fresnel", "Dielectric");
     CHECK(normal_reflectance(fresnel).x == doctest::Approx((gold.x + gold.y + gold.z) / 3).epsilon(1e-3));
-    rig.choose("Reflection", "None");
+    rig.choose("Fresnel", "None");
     CHECK(fresnel == Fresnel(NoFresnel{}));
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("material: conductors and dielectrics have their sliders within the li
     CHECK(std::get<ConductorFresnel>(fresnel).k.z == limits::k_max);
     CHECK(rig.has("k blue problem"));
     fresnel = DielectricFresnel{};
-    rig.enter_number("Refraction", "0.3");
+    rig.enter_number("IOR", "0.3");
     CHECK(std::get<DielectricFresnel>(fresnel).ior == DielectricFresnel{}.ior);
 }
 

@@ -4,7 +4,7 @@ namespace nacre {
 
 const Command picture_folder_command{
     .info = {.menu = "File",
-             .label = "Folder of pictures\u2026",
+             .label = "Screenshot folder\u2026",
              .keys = nullptr,
              .about = "Choose where F12 writes its pictures."},
     .perform = [](Designer& designer, std::size_t) { designer.pictures_of_preview.choose_folder(); }};

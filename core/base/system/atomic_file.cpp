@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int numbers_most = 99'999;
-constexpr int links_most = 40;  // as many as Linux follows
+constexpr int numbers_max = 99'999;
+constexpr int links_max = 40;  // as many as Linux follows
 
 [[noreturn]] void fail(const fs::path& file, const std::string& reason) {
     throw UserError(file.string(), "write", "the file cannot be written", reason);
@@ -126,7 +126,7 @@ class Replacement {
 
 fs::path link_target(const fs::path& file) {
     fs::path target = file;
-    for (int links = 0; links <= links_most; ++links) {
+    for (int links = 0; links <= links_max; ++links) {
         std::error_code error;
         const fs::file_status status = fs::symlink_status(target, error);
         if (status.type() == fs::file_type::none) fail(file, error.message());
@@ -171,7 +171,7 @@ fs::path write_numbered_file(const fs::path& folder, const std::string& stem, co
     sweep_temporary_files(folder);
     TemporaryFile temporary(pattern, folder / "");
     temporary.write(bytes);
-    for (int number = 1; number <= numbers_most; ++number) {
+    for (int number = 1; number <= numbers_max; ++number) {
         fs::path name = folder / fmt::format("{}-{:03}{}", stem, number, extension);
         std::error_code error;
         if (fs::exists(fs::symlink_status(name, error))) continue;

@@ -25,7 +25,7 @@ struct DielectricFresnel {
         return std::tuple{NumberParameter<DielectricFresnel>{
             .member = &DielectricFresnel::ior,
             .text =
-                {"ior", "Refraction",
+                {"ior", "IOR",
                  "Index of refraction: water 1.33, plastic 1.5, diamond 2.4. A higher index reflects more: "
                  "((n \u2212 1)/(n + 1))\u00b2 straight on, 4 % for 1.5."},
             .bounds = {limits::ior_min, limits::ior_max},

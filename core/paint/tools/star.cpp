@@ -12,8 +12,8 @@ double distance(const ShapeSize& size, double middle, double turn) {
     constexpr double shortest = 1e-9;  // radians; of a star that has not been drawn out yet
     const RayPlace place = ray_place(middle, std::remainder(turn, 2 * std::numbers::pi / size.rays));
     if (place.along <= 0) return middle / size.radius;
-    const double breadth = size.radius * (1 - place.along / std::max(size.length, shortest));
-    return breadth > 0 ? std::abs(place.off) / breadth : HUGE_VAL;
+    const double width = size.radius * (1 - place.along / std::max(size.length, shortest));
+    return width > 0 ? std::abs(place.off) / width : HUGE_VAL;
 }
 
 void icon(const IconPen& pen) {

@@ -39,7 +39,7 @@ std::string told(int stroke, const nacre::Design& design) {
 // At the pace of a window: sixty frames a second.
 class Hand {
   public:
-    explicit Hand(nacre::Stage& stage) : stage_(stage) {}
+    explicit Hand(nacre::HeadlessDesigner& stage) : stage_(stage) {}
     void play(const std::string& events) { stage_.play(nacre::parse_events(events, "crash")); }
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
@@ -50,7 +50,7 @@ class Hand {
     }
 
   private:
-    nacre::Stage& stage_;
+    nacre::HeadlessDesigner& stage_;
     std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
 };
 
@@ -62,7 +62,7 @@ std::string canvas_place(int stroke, int step) {
 // Strokes with the brush on the canvas, one after another as a hand makes them: none ends before the one
 // before it is kept.
 void paint(const fs::path& folder) {
-    nacre::Stage stage({.size = {640, 400}, .bake_threads = 1, .folders = {.state = folder}});
+    nacre::HeadlessDesigner stage({.size = {640, 400}, .bake_threads = 1, .folders = {.state = folder}});
     Hand hand(stage);
     hand.frames(2);
     hand.play("click \"Paint\"");

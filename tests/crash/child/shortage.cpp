@@ -44,7 +44,7 @@ class Hand {
     }
 
   private:
-    Stage stage_{{.bake_threads = 1}};
+    HeadlessDesigner stage_{{.bake_threads = 1}};
 };
 
 // The process can take so many bytes more and no others, for as long as this lives.

@@ -42,7 +42,7 @@ class DomeModel final : public LobeModel {
 
     double density(dvec3 h) const override { return h.z > 0 ? 1 - s_ + s_ * h.z : 0; }
     double mass() const override { return 2 * pi * (1 - s_) + pi * s_; }
-    std::vector<LobeSpan> spans() const override { return {{dvec2{1}, 1, {}}}; }
+    std::vector<LobeParameterization> spans() const override { return {{dvec2{1}, 1, {}}}; }
 
     // Of 1: (pi/2)(1 + cos gamma). Of the cosine: (2/3)(sin gamma + (pi - gamma) cos gamma), gamma from n to
     // k.

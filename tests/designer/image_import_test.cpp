@@ -1,5 +1,5 @@
 // Pictures dropped on the window.
-#include "app/designer/picture_drop.h"
+#include "app/designer/image_import.h"
 
 #include <doctest/doctest.h>
 
@@ -39,7 +39,7 @@ void write_brushed_steel(const fs::path& file) {
     write_image(file, {side, side}, rgb);
 }
 
-// Grooves along y, all of one slope: the height goes up and down 8 times over the breadth.
+// Grooves along y, all of one slope: the height goes up and down 8 times over the width.
 void write_grooves(const fs::path& file) {
     constexpr int side = 128, period = 16;
     std::vector<float> rgb;
@@ -152,7 +152,7 @@ TEST_CASE("picture: the smoothing and the height of a map are set in the questio
         return spread(r.layers().back());
     };
     const glm::dvec2 usual = answer("");
-    // 2 % of the breadth in a sixteenth of it.
+    // 2 % of the width in a sixteenth of it.
     const double slope = 0.02 * 16;
     const double degree = 3.14159265358979 / 180;
     CHECK(usual.x == doctest::Approx(slope / std::hypot(1, slope)).epsilon(0.02));

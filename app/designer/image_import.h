@@ -15,10 +15,10 @@ namespace nacre {
 // How a map of normals or heights becomes facets.
 struct ReliefReading {
     double smoothing = 1.5;  // degrees, standard deviation of the normals
-    double height = 2;  // from black to white, in percent of the picture's breadth; negative: black is high
+    double height = 2;  // from black to white, in percent of the picture's width; negative: black is high
 };
 
-class PictureDrop {
+class ImageImport {
   public:
     // A file was dropped on the window; the newest counts.
     void offer(std::filesystem::path file) {

@@ -12,7 +12,7 @@
 
 namespace nacre {
 
-class PictureTaker {
+class ScreenshotSaver {
   public:
     // The first time asks for the folder.
     void take() { wanted_ = true; }

@@ -1,4 +1,4 @@
-#include "core/base/system/owned_folder.h"
+#include "core/base/system/locked_directory.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -83,10 +83,10 @@ Contents contents_of(const fs::path& folder) {
 
 }  // namespace
 
-std::optional<OwnedFolder> OwnedFolder::own(const fs::path& folder) {
+std::optional<LockedDirectory> LockedDirectory::own(const fs::path& folder) {
     const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (opened < 0) return {};
-    OwnedFolder owned(folder, opened, -1);
+    LockedDirectory owned(folder, opened, -1);
     owned.lock_ = ::openat(opened, lock_name, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600);
     struct stat now {};
     // Who held it before may have erased the folder between the two calls.
@@ -96,26 +96,26 @@ std::optional<OwnedFolder> OwnedFolder::own(const fs::path& folder) {
     return owned;
 }
 
-OwnedFolder::OwnedFolder(OwnedFolder&& other) noexcept
+LockedDirectory::LockedDirectory(LockedDirectory&& other) noexcept
     : path_(std::move(other.path_)),
       folder_(std::exchange(other.folder_, -1)),
       lock_(std::exchange(other.lock_, -1)) {}
 
-OwnedFolder& OwnedFolder::operator=(OwnedFolder&& other) noexcept {
+LockedDirectory& LockedDirectory::operator=(LockedDirectory&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(folder_, other.folder_);
     std::swap(lock_, other.lock_);
     return *this;
 }
 
-OwnedFolder::~OwnedFolder() {
+LockedDirectory::~LockedDirectory() {
     const int error = errno;  // of what was tried with it
     if (lock_ >= 0) ::close(lock_);
     if (folder_ >= 0) ::close(folder_);
     errno = error;
 }
 
-bool OwnedFolder::intact() const {
+bool LockedDirectory::intact() const {
     struct stat here {
     }, folder{}, held{};
     if (::lstat(path_.c_str(), &here) != 0 || ::fstat(folder_, &folder) != 0 || !same_file(here, folder))
@@ -125,18 +125,18 @@ bool OwnedFolder::intact() const {
     return !file || S_ISREG(file->st_mode);
 }
 
-void OwnedFolder::take(const OwnedFolder& from) {
+void LockedDirectory::take(const LockedDirectory& from) {
     if (!from.intact() || !intact()) fail(from.file(), EPERM);
     if (::renameat(from.folder_, autosave_name, folder_, autosave_name) != 0) fail(from.file(), errno);
 }
 
-void OwnedFolder::remove_file() {
+void LockedDirectory::remove_file() {
     if (!entry(folder_, autosave_name)) return;
     if (!is_regular(folder_, autosave_name)) fail(file(), EPERM);
     if (::unlinkat(folder_, autosave_name, 0) != 0 && errno != ENOENT) fail(file(), errno);
 }
 
-void OwnedFolder::erase() {
+void LockedDirectory::erase() {
     if (!intact()) return;
     ::unlinkat(folder_, autosave_name, 0);
     for (const std::string& name : contents_of(path_).temporary) ::unlinkat(folder_, name.c_str(), 0);
@@ -144,7 +144,7 @@ void OwnedFolder::erase() {
     ::rmdir(path_.c_str());
 }
 
-OwnedFolder make_owned_folder(const fs::path& parent) {
+LockedDirectory make_locked_directory(const fs::path& parent) {
     make_private_folder(parent);
     std::random_device random;
     for (int attempt = 0; attempt < 100; ++attempt) {
@@ -153,15 +153,15 @@ OwnedFolder make_owned_folder(const fs::path& parent) {
             if (errno == EEXIST) continue;
             fail(path, errno);
         }
-        if (auto owned = OwnedFolder::own(path)) return std::move(*owned);
+        if (auto owned = LockedDirectory::own(path)) return std::move(*owned);
         // Another process took it for an orphan before it had a lock, or there can be no lock at all.
         if (errno != EWOULDBLOCK && errno != ENOENT) fail(path, errno);
     }
     fail(parent, EBUSY);
 }
 
-std::vector<OwnedFolder> own_orphans(const fs::path& parent) {
-    std::vector<OwnedFolder> orphans;
+std::vector<LockedDirectory> claim_abandoned(const fs::path& parent) {
+    std::vector<LockedDirectory> orphans;
     std::error_code error;
     for (auto it = fs::directory_iterator(parent, error); !error && it != fs::directory_iterator();
          it.increment(error)) {
@@ -170,7 +170,7 @@ std::vector<OwnedFolder> own_orphans(const fs::path& parent) {
         if (!fs::is_directory(it->symlink_status(unreadable))) continue;
         const Contents contents = contents_of(it->path());
         if (contents.foreign && !contents.work) continue;
-        if (auto owned = OwnedFolder::own(it->path())) orphans.push_back(std::move(*owned));
+        if (auto owned = LockedDirectory::own(it->path())) orphans.push_back(std::move(*owned));
     }
     return orphans;
 }

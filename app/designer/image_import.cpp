@@ -1,4 +1,4 @@
-#include "app/designer/picture_drop.h"
+#include "app/designer/image_import.h"
 
 #include <algorithm>
 #include <exception>
@@ -60,7 +60,7 @@ void reading_fields(ReliefReading& reading) {
          .least = -1000,
          .most = 1000,
          .reset = usual.height,
-         .format = "%.2f %% of the breadth",
+         .format = "%.2f %% of the width",
          .logarithmic = false,
          .tooltip = "For heights: from black to white. Higher is rougher; a negative number makes black "
                     "the highest."},
@@ -69,7 +69,7 @@ void reading_fields(ReliefReading& reading) {
 
 }  // namespace
 
-void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
+void ImageImport::use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
     const std::filesystem::path file = *std::exchange(file_, std::nullopt);
     const std::string name = file.stem().string();
     PictureNotes notes;
@@ -100,9 +100,9 @@ void PictureDrop::use(int answer, Distribution& distribution, std::size_t& chose
     normals_.forget_picture();
 }
 
-void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
+void ImageImport::draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
     if (!problem_.empty()) {
-        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        if (ui::question("Cannot import the image", problem_, {"OK"})) problem_.clear();
         return;
     }
     if (!file_) return;
@@ -112,11 +112,12 @@ void PictureDrop::draw(Distribution& distribution, std::size_t& chosen, ui::Canv
                              "that surface. Modulation multiplies the chosen layer by it. A stamp or a "
                              "modulation that is not square "
                              "keeps its shape: black is added beside it. Surroundings light the object.";
-    const auto answer = ui::question(
-        "A picture", text, {"Stamp", "Normals", "Heights", "Modulation", "Surroundings", "Cancel"}, [this] {
-            reading_fields(reading_);
-            normals_.draw();
-        });
+    const auto answer =
+        ui::question("Import image", text,
+                     {"Stamp", "Normals", "Heights", "Modulation", "Surroundings", "Cancel"}, [this] {
+                         reading_fields(reading_);
+                         normals_.draw();
+                     });
     if (answer) use(*answer, distribution, chosen, canvas);
 }
 

@@ -1,4 +1,4 @@
-#include "core/bake/lobe_walk.h"
+#include "core/bake/great_circle_quadrature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/bake/lobe_walk.cpp"
+#define HWY_TARGET_INCLUDE "core/bake/great_circle_quadrature.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each kind of processor
 
 #include "core/model/lane_columns-inl.h"
@@ -77,18 +77,21 @@ namespace {
 constexpr double layer_below = 0.1;
 }  // namespace
 
-LobeWalk::LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1)
+GreatCircleQuadrature::GreatCircleQuadrature(const PlacedLobe& placed, const LobeParameterization& span,
+                                             dvec3 k1)
     : placed_(placed), span_(span), k1_(k1), axis_(placed.frame[2] * span.flip), across_(-k1.y, k1.x, 0) {
     const dvec3 own = glm::transpose(placed.frame) * k1;
     start_ = std::atan2(span.stretch.y * own.y, span.stretch.x * own.x) - pi / 2;
 }
 
-LobeWalk::Ray LobeWalk::ray(double psi) const { return interval(std::cos(psi), std::sin(psi), 0); }
+GreatCircleQuadrature::Ray GreatCircleQuadrature::ray(double psi) const {
+    return interval(std::cos(psi), std::sin(psi), 0);
+}
 
 // Facets h = s e + t a (s, t = sin and cos of chi; not normalised) send k1 to c2 > least c1 where
 //   2 (k1.h)(n.h) - (1 + least) (k1.n) |h|^2 = m + r cos(2 chi - delta) > 0  and  n.h > 0.
 // That is a disk in the slopes about n, so a great circle meets it in one interval.
-LobeWalk::Ray LobeWalk::interval(double cosine, double sine, double least) const {
+GreatCircleQuadrature::Ray GreatCircleQuadrature::interval(double cosine, double sine, double least) const {
     Ray ray{cosine, sine, 0, 0};
     const dvec3 e = ray_direction(ray.cosine, ray.sine);
     const double ke = glm::dot(k1_, e), ka = glm::dot(k1_, axis_), c = (1 + least) * k1_.z;
@@ -106,7 +109,7 @@ LobeWalk::Ray LobeWalk::interval(double cosine, double sine, double least) const
     return ray;
 }
 
-std::vector<double> LobeWalk::azimuth_cuts(MaskingBends bends) const {
+std::vector<double> GreatCircleQuadrature::azimuth_cuts(MaskingBends bends) const {
     if (bends != MaskingBends::azimuth) return {0, 1, 2};
     const double psi =
         std::atan2(-glm::dot(ray_direction(1, 0), across_), glm::dot(ray_direction(0, 1), across_));
@@ -114,7 +117,7 @@ std::vector<double> LobeWalk::azimuth_cuts(MaskingBends bends) const {
     return {0, plane, 1, 1 + plane, 2};
 }
 
-void LobeWalk::cuts(const Ray& ray, MaskingBends bends, std::vector<double>& all) const {
+void GreatCircleQuadrature::cuts(const Ray& ray, MaskingBends bends, std::vector<double>& all) const {
     all.assign(1, ray.begin);
     auto add = [&](double at) {
         if (at > ray.begin && at < ray.end) all.push_back(at);
@@ -135,7 +138,7 @@ void LobeWalk::cuts(const Ray& ray, MaskingBends bends, std::vector<double>& all
     std::sort(all.begin(), all.end());
 }
 
-Facet LobeWalk::facet(const Ray& ray, double chi) const {
+Facet GreatCircleQuadrature::facet(const Ray& ray, double chi) const {
     dvec3 h;
     double area = 0;
     HWY_DYNAMIC_DISPATCH(stretch_points)
@@ -144,7 +147,7 @@ Facet LobeWalk::facet(const Ray& ray, double chi) const {
     return {placed_.frame * h, placed_.scale * placed_.lobe->density(h) * area};
 }
 
-void LobeWalk::add_facets(const WalkPoints& points, WeightedDirections& facets) const {
+void GreatCircleQuadrature::add_facets(const WalkPoints& points, WeightedDirections& facets) const {
     constexpr std::size_t past = 64;  // no vector of an x86 or ARM processor holds more
     const std::size_t count = points.chi.size(), before = facets.size();
     std::vector<double> columns(5 * count);

@@ -34,9 +34,9 @@ struct WalkPoints {
 
 // Where a lobe's facets send light from k1 up: on each great circle through the lobe's axis, at azimuth psi
 // in the stretched hemisphere, one interval of angles chi from the axis.
-class LobeWalk {
+class GreatCircleQuadrature {
   public:
-    LobeWalk(const PlacedLobe& placed, const LobeSpan& span, dvec3 k1);
+    GreatCircleQuadrature(const PlacedLobe& placed, const LobeParameterization& span, dvec3 k1);
 
     // One great circle.
     struct Ray {
@@ -68,7 +68,7 @@ class LobeWalk {
     }
 
     const PlacedLobe& placed_;
-    LobeSpan span_;
+    LobeParameterization span_;
     dvec3 k1_;
     dvec3 axis_;
     dvec3 across_;  // n x k1

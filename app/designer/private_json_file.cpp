@@ -1,4 +1,4 @@
-#include "app/designer/kept_file.h"
+#include "app/designer/private_json_file.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,7 +21,8 @@ void read_object(const std::string& text, const std::string& name,
     take(object);
 }
 
-void KeptFile::read(const std::function<void(const std::string& text, const std::string& name)>& take) {
+void PrivateJsonFile::read(
+    const std::function<void(const std::string& text, const std::string& name)>& take) {
     std::error_code error;
     if (file_.empty() || !fs::exists(fs::symlink_status(file_, error))) return;
     try {
@@ -32,7 +33,7 @@ void KeptFile::read(const std::function<void(const std::string& text, const std:
 }
 
 // The first free name of settings.json.damaged-1, -2, ...
-void KeptFile::set_aside(const std::string& why) {
+void PrivateJsonFile::set_aside(const std::string& why) {
     untouchable_ = true;
     problem_ = why;
     for (int number = 1; number < 1000; ++number) {
@@ -48,7 +49,7 @@ void KeptFile::set_aside(const std::string& why) {
     problem_ += "; the defaults hold, and the file is left as it is";
 }
 
-void KeptFile::write(const std::string& text) {
+void PrivateJsonFile::write(const std::string& text) {
     if (file_.empty() || untouchable_) return;
     try {
         make_private_folder(file_.parent_path());

@@ -12,7 +12,7 @@
 namespace nacre {
 
 // Needs a current OpenGL 3.3 core context.
-class Gathering {
+class EnvironmentAccumulator {
   public:
     // What is drawn from. Each costs tens of milliseconds where it is not what it was.
     void set_environment(std::shared_ptr<const Environment> environment);

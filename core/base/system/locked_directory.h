@@ -11,14 +11,14 @@ namespace nacre {
 inline constexpr const char* autosave_name = "unsaved.nacre";  // the one file that it keeps
 
 // Holds a lock (flock) on a file in the folder, which the system frees when the process is gone.
-class OwnedFolder {
+class LockedDirectory {
   public:
     // The folder's owner from now on, unless somebody else is it or its lock is none of ours.
-    static std::optional<OwnedFolder> own(const std::filesystem::path& folder);
+    static std::optional<LockedDirectory> own(const std::filesystem::path& folder);
 
-    OwnedFolder(OwnedFolder&& other) noexcept;
-    OwnedFolder& operator=(OwnedFolder&& other) noexcept;
-    ~OwnedFolder();  // gives it up and leaves what it holds
+    LockedDirectory(LockedDirectory&& other) noexcept;
+    LockedDirectory& operator=(LockedDirectory&& other) noexcept;
+    ~LockedDirectory();  // gives it up and leaves what it holds
 
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path file() const { return path_ / autosave_name; }
@@ -28,14 +28,14 @@ class OwnedFolder {
     bool intact() const;
 
     // The kept file of the other folder becomes this one's. What fails is a UserError.
-    void take(const OwnedFolder& from);
+    void take(const LockedDirectory& from);
     void remove_file();
 
     // The kept file and the lock go, and the folder unless it holds anything else.
     void erase();
 
   private:
-    OwnedFolder(std::filesystem::path path, int folder, int lock)
+    LockedDirectory(std::filesystem::path path, int folder, int lock)
         : path_(std::move(path)), folder_(folder), lock_(lock) {}
 
     std::filesystem::path path_;
@@ -44,10 +44,10 @@ class OwnedFolder {
 
 // A new folder below `parent`, which is made when it is not there, named by the process and a random number.
 // What fails is a UserError.
-OwnedFolder make_owned_folder(const std::filesystem::path& parent);
+LockedDirectory make_locked_directory(const std::filesystem::path& parent);
 
 // The folders of that form below `parent` whose owners are gone and that hold a kept file, or nothing but
 // what an owner leaves: this process is their owner now.
-std::vector<OwnedFolder> own_orphans(const std::filesystem::path& parent);
+std::vector<LockedDirectory> claim_abandoned(const std::filesystem::path& parent);
 
 }  // namespace nacre

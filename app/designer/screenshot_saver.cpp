@@ -1,4 +1,4 @@
-#include "app/designer/picture_taker.h"
+#include "app/designer/screenshot_saver.h"
 
 #include <exception>
 #include <system_error>
@@ -13,18 +13,17 @@ namespace nacre {
 
 namespace fs = std::filesystem;
 
-void PictureTaker::ask(const Document& document) {
+void ScreenshotSaver::ask(const Document& document) {
     asking_ = false;
     fs::path folder = settings_->picture_folder;
     if (folder.empty()) folder = document.file.parent_path();
     if (folder.empty()) folder = settings_->design_folder;
-    chooser_.ask(
-        {.purpose = ui::FileDialog::Purpose::folder, .title = "Folder of pictures", .folder = folder},
-        dialogs_);
+    chooser_.ask({.purpose = ui::FileDialog::Purpose::folder, .title = "Screenshot folder", .folder = folder},
+                 dialogs_);
 }
 
 // Drawn at once, coded and written on a thread of its own.
-void PictureTaker::begin(const Document& document, PreviewPane& preview, const Scene& scene) {
+void ScreenshotSaver::begin(const Document& document, PreviewPane& preview, const Scene& scene) {
     wanted_ = false;
     if (!preview.has_picture()) {
         problem_ = "There is no picture yet.";
@@ -43,10 +42,10 @@ void PictureTaker::begin(const Document& document, PreviewPane& preview, const S
     }
 }
 
-std::optional<std::string> PictureTaker::draw(const Document& document, PreviewPane& preview,
-                                              const Scene& scene) {
+std::optional<std::string> ScreenshotSaver::draw(const Document& document, PreviewPane& preview,
+                                                 const Scene& scene) {
     if (!problem_.empty()) {
-        if (ui::question("That did not work", problem_, {"OK"})) problem_.clear();
+        if (ui::question("Cannot save the preview image", problem_, {"OK"})) problem_.clear();
         return {};
     }
     if (const auto ended = task_.poll()) {

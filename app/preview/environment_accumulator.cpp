@@ -1,4 +1,4 @@
-#include "app/preview/gathering.h"
+#include "app/preview/environment_accumulator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 constexpr int order_width = 256;  // of shaders/draw.glsl
-constexpr int batch_most = 64;    // samples of one drawing: a graphics driver gives up on what takes seconds
+constexpr int batch_max = 64;     // samples of one drawing: a graphics driver gives up on what takes seconds
 // Cells a hemisphere has each way: a draft is looked at for a moment.
 constexpr int draft_side = 128, final_side = 512;
 
@@ -32,7 +32,7 @@ glm::dmat3 view_to_environment(double rotation) {
 
 }  // namespace
 
-void Gathering::set_environment(std::shared_ptr<const Environment> environment) {
+void EnvironmentAccumulator::set_environment(std::shared_ptr<const Environment> environment) {
     if (environment == environment_) return;
     environment_ = std::move(environment);
     const LatLong& picture = environment_->picture;
@@ -41,14 +41,14 @@ void Gathering::set_environment(std::shared_ptr<const Environment> environment) 
     store_order(light_order_, environment_->light);
 }
 
-void Gathering::set_facets(const std::shared_ptr<const Tables>& tables) {
+void EnvironmentAccumulator::set_facets(const std::shared_ptr<const Tables>& tables) {
     if (tables == facets_of_) return;
     facets_of_ = tables;
     const int side = tables->quality == Quality::draft ? draft_side : final_side;
     store_order(facet_order_, order_facets(*tables->distribution, side));
 }
 
-void Gathering::restart(glm::ivec2 texels) {
+void EnvironmentAccumulator::restart(glm::ivec2 texels) {
     texels_ = texels;
     samples_ = batch_ = row_ = 0;
     target_.bind(texels, GL_RGBA32F);
@@ -57,13 +57,13 @@ void Gathering::restart(glm::ivec2 texels) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-double Gathering::add(const Program& program, const GeometryBuffer& geometry, const Scene& scene, double most,
-                      int goal) {
+double EnvironmentAccumulator::add(const Program& program, const GeometryBuffer& geometry, const Scene& scene,
+                                   double most, int goal) {
     if (samples_ >= goal) return 0;
     const double a_row = texels_.x, whole = a_row * texels_.y;
     if (row_ == 0)
         batch_ = std::clamp(static_cast<int>(std::min(most / whole, 1e6)), 1,
-                            std::min(batch_most, goal - samples_));
+                            std::min(batch_max, goal - samples_));
     const int rows =
         std::clamp(static_cast<int>(std::min(most / (a_row * batch_), 1e6)), 1, texels_.y - row_);
     geometry.normals().bind(1);
@@ -89,7 +89,7 @@ double Gathering::add(const Program& program, const GeometryBuffer& geometry, co
     return a_row * rows * batch_;
 }
 
-void Gathering::upload_surroundings(const Program& program, const Scene& scene, int unit) const {
+void EnvironmentAccumulator::upload_surroundings(const Program& program, const Scene& scene, int unit) const {
     picture_.bind(unit);
     set_uniform(program, "environment_picture", unit);
     set_uniform(program, "view_to_environment", view_to_environment(scene.environment.rotation));

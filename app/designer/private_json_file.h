@@ -16,10 +16,10 @@ namespace nacre {
 void read_object(const std::string& text, const std::string& name,
                  const std::function<void(ObjectReader&)>& take);
 
-class KeptFile {
+class PrivateJsonFile {
   public:
     // An empty path: there is nothing to read, and writing does nothing.
-    explicit KeptFile(std::filesystem::path file = {}) : file_(std::move(file)) {}
+    explicit PrivateJsonFile(std::filesystem::path file = {}) : file_(std::move(file)) {}
 
     // Hands the file's text and name to `take`, which throws a UserError where it is wrong; nothing happens
     // where there is no file. A file that is refused is set aside under another name beside it before
