@@ -17,7 +17,7 @@ struct CheckOptions {
     bool json = false;
     bool extremes = false;
     bool markdown = false;
-    std::string group;
+    SweepChoice choice;
 
     SweepFormat sweep_format() const {
         if (json) return SweepFormat::json;
@@ -79,16 +79,20 @@ void declare(Command& command, Action& action) {
     const auto extremes =
         command.flag("--extremes", options->extremes, "a sweep of extreme designs in place of DESIGN");
     extremes.excludes(design);
-    command.option("--group", options->group, "only this group of the sweep")
+    const auto group = command.option("--group", options->choice.group, "only this group of the sweep")
+                           .needs(extremes)
+                           .check(known_group);
+    command.option("--case", options->choice.text, "only cases of the sweep whose name holds this text")
         .needs(extremes)
-        .check(known_group);
+        .excludes(group)
+        .check(known_case);
     command.flag("--markdown", options->markdown, "the sweep as the tables of docs/stability.md")
         .needs(extremes);
     command.when_chosen([options, &action] {
         if (options->design.empty() && !options->extremes) throw_missing("DESIGN or --extremes");
         action = [options](Interrupt& interrupt) {
             if (!options->extremes) return check(*options, interrupt);
-            return sweep_extremes(options->group, options->sweep_format(), interrupt);
+            return sweep_extremes(options->choice, options->sweep_format(), interrupt);
         };
     });
 }

@@ -135,10 +135,18 @@ std::string known_group(const std::string& group) {
     return fmt::format("must be one of: {}", fmt::join(groups, ", "));
 }
 
-int sweep_extremes(const std::string& group, SweepFormat format, const Interrupt& interrupt) {
+std::string known_case(const std::string& text) {
+    for (const ExtremeCase& extreme : extreme_cases())
+        if (extreme.name.find(text) != std::string::npos) return {};
+    return "must be part of a case's name";
+}
+
+int sweep_extremes(const SweepChoice& choice, SweepFormat format, const Interrupt& interrupt) {
     Sweep sweep{extreme_cases(), {}};
-    if (!group.empty())
-        std::erase_if(sweep.cases, [&](const ExtremeCase& extreme) { return extreme.group != group; });
+    std::erase_if(sweep.cases, [&](const ExtremeCase& extreme) {
+        return (!choice.group.empty() && extreme.group != choice.group) ||
+               extreme.name.find(choice.text) == std::string::npos;
+    });
     {
         Progress progress("sweeping");
         sweep.results =

@@ -55,30 +55,32 @@ Json distribution_json(const Design& design, const Tables& tables) {
     Json layers = Json::array();
     for (int i = 0; i < tables.shading.layer_count; ++i)
         layers.push_back(layer_json(tables, i, *lobes.at(static_cast<std::size_t>(i))));
-    return {{"p",
-             "density of facet normals h on the sphere, 1/sr, integral 1: the sum over the layers of scale * "
-             "lobe"},
-            {"own_frame", "h in a layer's frame is (h.axis_x, h.axis_y, h.axis_z); theta in radians"},
-            {"pictures",
-             "side x side texels, the upper hemisphere seen from above: column = side (1 + x/sqrt(1+z))/2 - "
-             "1/2, row = "
-             "side (1 - y/sqrt(1+z))/2 - 1/2, both kept in [0, side-1], bilinear; row 0 is the first scan "
-             "line; 0 "
-             "where z <= 0"},
-            {"modulation", "the lobe times 1 - modulation_strength + modulation_strength * picture"},
-            {"layers", std::move(layers)}};
+    return {
+        {"p",
+         "density of facet normals h on the sphere, 1/sr, integral 1: the sum over the layers of scale * "
+         "lobe"},
+        {"own_frame",
+         "(x, y, z) = (h.axis_x, h.axis_y, h.axis_z), (i, j) = inverse_width, angles in radians; a lobe is 0 "
+         "where z <= 0 unless it says otherwise"},
+        {"pictures",
+         "side x side texels, the upper hemisphere seen from above: column = side (1 + x/sqrt(1+z))/2 - "
+         "1/2, row = "
+         "side (1 - y/sqrt(1+z))/2 - 1/2, both kept in [0, side-1], bilinear; row 0 is the first scan "
+         "line; 0 "
+         "where z <= 0"},
+        {"modulation", "the lobe times 1 - modulation_strength + modulation_strength picture(x, y, z)"},
+        {"layers", std::move(layers)}};
 }
 
 const char* fold_rule(Symmetry symmetry) {
     switch (symmetry) {
-        case Symmetry::isotropic:
-            return "x' and y' as they are; psi = rho = 0 everywhere";
         case Symmetry::quarter:
-            return "replace x' by |x'| and y' by |y'|";
+            return "x' = abs(x'); y' = abs(y')";
         case Symmetry::half:
-            return "replace y' by |y'|";
+            return "y' = abs(y')";
+        case Symmetry::isotropic:
         case Symmetry::none:
-            return "x' and y' as they are";
+            return "x' = x'; y' = y'";
     }
     return "";
 }
@@ -97,28 +99,32 @@ const char* row_rule(Symmetry symmetry) {
     return "";
 }
 
-Json evaluation_json(const Tables& tables) {
+Json evaluation_json(const Design& design, const Tables& tables) {
     const Symmetry symmetry = tables.needs.symmetry.symmetry;
+    const bool clamp = design.shadowing.clamp, round = symmetry == Symmetry::isotropic;
     Json steps = {
         "k = (x, y, z): unit vector away from the surface, z = k.normal >= 0, x = k.tangent, y = k.bitangent",
         "x' = axis[0] x + axis[1] y; y' = axis[0] y - axis[1] x",
-        fmt::format("fold: {}", fold_rule(symmetry)),
-        "r = sqrt(x'^2 + y'^2); psi = turns(stretch[0] (x' + lean r), stretch[1] y' sqrt(1 - lean^2))",
+        fold_rule(symmetry),
+        round
+            ? "psi = 0"
+            : "r = sqrt(x'^2 + y'^2); psi = turns(stretch[0] (x' + lean r), stretch[1] y' sqrt(1 - lean^2))",
         "turns(a, b), an azimuth in quarter turns: t = (|b| - |a|)/(|a| + |b|), -1 at 0/0; u = 1/2 + t (6 - "
         "t^2)/10; "
         "2 - u in its place where a < 0; then 4 minus it where b < 0",
         "q = sqrt((stretch[0] x')^2 + (stretch[1] y')^2)",
-        "w = 2 q/(z g_normal + 2 q); 0 where the denominator is 0",
+        "w = 2 q/(z g_normal + 2 q): 0 where the denominator is 0",
         "g = max(0, x moment[0] + y moment[1] + (z g_normal + 2 q) A(w, psi))",
-        "P = N z/g; with clamp P = min(1, N z/g)"};
+        clamp ? "P = min(1, N z/g)" : "P = N z/g"};
     if (tables.needs.albedo) {
-        steps.push_back("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = (psi + turns(x', y'))/2");
-        steps.push_back("kept = min(1, g/(N z)) with clamp (1 at z = 0), 1 without");
+        steps.push_back(fmt::format("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = {}",
+                                    round ? "0" : "(psi + turns(x', y'))/2"));
+        steps.push_back(clamp ? "kept = min(1, g/(N z)): 1 at z = 0" : "kept = 1");
         steps.push_back(
             "R1 = max(0, albedo(v, rho)) kept: the directional albedo of the specular term with F = 1");
         if (tables.needs.fresnel_tables > 0)
             steps.push_back(
-                "R0 = max(0, F0 max(0, albedo(v, rho)) + residual(v, rho)) kept, F0 = `fresnel_at_n`");
+                "R0 = max(0, F0 max(0, albedo(v, rho)) + residual(v, rho)) kept: F0 is `fresnel_at_n`");
         steps.push_back("R, the design's own albedo, is `albedo_of_design`");
     }
     return steps;
@@ -131,12 +137,12 @@ void add_fresnel_rules(const Tables& tables, Json& json) {
             json["albedo_of_design"] = "R = R1";
             break;
         case FresnelTables::linear:
-            json["fresnel_at_n"] = "(1 - z)^5";
+            json["fresnel_at_n"] = "F0 = (1 - z)^5";
             json["albedo_of_design"] = "R = f0 R1 + (1 - f0) R0";
             break;
         case FresnelTables::exact:
-            json["fresnel_at_n"] = "the exact F at the cosine z, each colour";
-            json["albedo_of_design"] = "R = R0, each colour";
+            json["fresnel_at_n"] = "F0 = F(z): the F of `brdf` at c = z, each colour";
+            json["albedo_of_design"] = "R = R0: each colour";
             break;
     }
 }
@@ -184,10 +190,14 @@ const char* formula_of(const Variant& model) {
 
 Json brdf_json(const Design& design) {
     return {
-        "1/sr; k1 toward the light, k2 toward the viewer, h = (k1 + k2)/|k1 + k2|, 0 where z1 <= 0 or z2 <= "
-        "0",
-        "G = max(g, N z) with clamp, G = g without", formula_of(design.shadowing.model),
-        "specular = p(h) F(k1.h) V/4", formula_of(design.diffuse)};
+        "h = normalize(k1 + k2); c = dot(k1, h): k1 toward the light, k2 toward the viewer; rho, 1/sr, is 0 "
+        "where "
+        "z1 <= 0 or z2 <= 0",
+        design.shadowing.clamp ? "G1 = max(g1, N z1); G2 = max(g2, N z2)" : "G1 = g1; G2 = g2",
+        formula_of(design.shadowing.model),
+        formula_of(design.fresnel),
+        "specular = p(h) F V/4",
+        formula_of(design.diffuse)};
 }
 
 Json pictures_json(const std::vector<TablePicture>& pictures) {
@@ -224,7 +234,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
     json["material"] = material_json(design, tables);
     json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
-    json["evaluate"] = evaluation_json(tables);
+    json["evaluate"] = evaluation_json(design, tables);
     if (tables.needs.albedo) add_fresnel_rules(tables, json);
     json["brdf"] = brdf_json(design);
     json["tables"] = pictures_json(pictures);

@@ -15,12 +15,14 @@ namespace nacre {
 //   tables                   which tables of R it needs
 //   shader()                 the numbers that NAME_fresnel() of shaders/fresnel/NAME.glsl reads
 //   of_normal_reflectance()  the model with this f0, as nearly as it can have it
+//   formula                  F at c = k.h, as the manifest of exported tables has it
 //   note                     what the window says of it where it has no parameter
 template <class T>
 concept FresnelModel = Kind<T> && requires(const T model, glm::dvec3 f0) {
     { T::tables } -> std::convertible_to<FresnelTables>;
     { model.shader() } -> std::same_as<ShaderFresnel>;
     { T::of_normal_reflectance(f0) } -> std::same_as<T>;
+    { T::formula } -> std::convertible_to<const char*>;
     { T::note } -> std::convertible_to<const char*>;
 };
 

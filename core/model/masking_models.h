@@ -5,6 +5,7 @@
 #include <concepts>
 #include <variant>
 
+#include "core/model/kinds/extreme_claims.h"
 #include "core/model/kinds/kind.h"
 #include "core/model/masking_list.h"
 
@@ -18,6 +19,8 @@ namespace nacre {
 //   part            what the shader leaves out with every other model; null for nothing
 //   compared_label  what it is called beside the design that it is compared with
 //   citation        where it comes from
+//
+// It may have leaning_claims(clamp): what is expected of a p that leans, where it is more than usual.
 template <class T>
 concept MaskingModelKind = Kind<T> && requires(const T model) {
     { T::bends } -> std::convertible_to<MaskingBends>;
@@ -41,6 +44,17 @@ constexpr const char* masking_part(std::size_t index) {
 // Where the model of that index bends.
 constexpr MaskingBends masking_bends(std::size_t index) {
     return KindSet<MaskingModel>::each([]<class T>() { return T::bends; }).at(index);
+}
+
+inline ExtremeClaims leaning_claims(const MaskingModel& model, bool clamp) {
+    return std::visit(
+        [&](const auto& kind) -> ExtremeClaims {
+            if constexpr (requires { kind.leaning_claims(clamp); })
+                return kind.leaning_claims(clamp);
+            else
+                return weakly_correlated_claims(clamp);
+        },
+        model);
 }
 
 }  // namespace nacre

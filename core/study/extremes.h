@@ -15,10 +15,8 @@ struct ExtremeCase {
     Design design;
     std::string refusal = {};             // part of what the bake refuses it with; empty: it must be sound
     std::optional<Design> same_rho = {};  // a design whose BRDF must be the same
-    // The most that the bake may claim as its errors: its tolerance, and more where the largest tables cannot
-    // keep it.
-    double area_claim = 1.5e-3;
-    double albedo_claim = 1e-2;
+    double area_claim = ExtremeClaims{}.area;
+    double albedo_claim = ExtremeClaims{}.albedo;
 };
 
 // In the order of their groups.

@@ -70,13 +70,34 @@ std::string faults_of(const ExtremeCase& extreme, const std::shared_ptr<const Ta
     return fmt::format("{}", fmt::join(judge_tables(extreme, tables, cheap_options).faults, "; "));
 }
 
+// `held` gives a design's kind of the set.
+template <class Variant, class Held>
+void check_ends(const std::vector<ExtremeCase>& cases, const Held& held) {
+    KindSet<Variant>::each([&]<class T>() {
+        std::vector<T> values;
+        for (const ExtremeCase& extreme : cases) {
+            const Variant variant = held(extreme.design);
+            if (const T* value = std::get_if<T>(&variant)) values.push_back(*value);
+        }
+        CHECK_MESSAGE(!values.empty(), T::name);
+        visit_parameters<T>([&]<class Parameter>(const Parameter& parameter) {
+            if constexpr (std::is_same_v<Parameter, NumberParameter<T>>)
+                for (const double end : {parameter.bounds.low, parameter.bounds.high})
+                    CHECK_MESSAGE(std::any_of(values.begin(), values.end(),
+                                              [&](const T& value) { return value.*parameter.member == end; }),
+                                  fmt::format("{} {} {}", T::name, parameter.text.key, end));
+        });
+        return 0;
+    });
+}
+
 bool mentions(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
 }  // namespace
 
 TEST_SUITE_BEGIN("extremes");
 
-TEST_CASE("extreme widths") { check_group("widths"); }
+TEST_CASE("every lobe at the ends of its parameters") { check_group("lobes"); }
 // Their bakes take the longest.
 TEST_CASE("extreme ratios of widths" * doctest::skip(cheap)) { check_group("ratios"); }
 TEST_CASE("extreme tilts and grooves") { check_group("tilts"); }
@@ -89,7 +110,7 @@ TEST_CASE("extreme reflectances under every diffuse term") { check_group("materi
 
 TEST_CASE("no case stands outside the groups that are tested, and names are told apart") {
     std::size_t count = 0;
-    for (const char* group : {"widths", "ratios", "tilts", "mixtures", "pictures", "scales", "mean cosine",
+    for (const char* group : {"lobes", "ratios", "tilts", "mixtures", "pictures", "scales", "mean cosine",
                               "visibility", "materials"})
         count += cases_of(group).size();
     std::vector<std::string> names;
@@ -97,6 +118,14 @@ TEST_CASE("no case stands outside the groups that are tested, and names are told
     CHECK(count == names.size());
     std::sort(names.begin(), names.end());
     CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+}
+
+TEST_CASE("every kind is in the sweep, each of its numbers at both ends") {
+    const std::vector<ExtremeCase> cases = extreme_cases();
+    check_ends<Lobe>(cases, [](const Design& d) { return d.distribution.layers.front().lobe; });
+    check_ends<MaskingModel>(cases, [](const Design& d) { return d.shadowing.model; });
+    check_ends<Fresnel>(cases, [](const Design& d) { return d.fresnel; });
+    check_ends<Diffuse>(cases, [](const Design& d) { return d.diffuse; });
 }
 
 TEST_CASE("a spoilt table is reported") {

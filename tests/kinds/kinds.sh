@@ -88,6 +88,7 @@ for word in dome 'shadowing halved' 'fresnel tinted' 'diffuse evenly'; do has in
 $bin/nacre-cli check design.nacre
 $bin/nacre-cli bake design.nacre -o tables
 for word in '"dome"' '1 - i + i z' '"tinted"' '"tint"' 'N/(G1 G2)/2' 'specular/2'; do has tables/manifest.json "$word"; done
+/usr/bin/python3 -B tests/docs/formulas.py $bin/nacre-cli . . design.nacre
 $bin/nacre-cli export design.nacre --to glsl -o brdf.glsl
 { echo '#version 330 core'; cat brdf.glsl; echo 'out vec4 c; void main() { c = vec4(nacre_brdf(vec3(0, 0, 1), vec3(0, 0, 1)), 1); }'; } >brdf.frag
 glslangValidator brdf.frag
@@ -110,6 +111,11 @@ for events in menu key; do
     cp design.nacre $events.nacre
     $bin/nacre-cli screenshot $events.nacre -o $events.png --script $events.events
     has $events.nacre '"name": "Renamed"'
+done
+# Each stands in the sweep of extreme designs by itself.
+for case in 'dome 0' 'dome 1' 'fresnel tinted 0' 'fresnel tinted 1' 'halved' 'diffuse evenly 0'; do
+    $bin/nacre-cli check --extremes --case "$case" >extremes.txt
+    has extremes.txt 'pass'
 done
 # What follows from the lists: random designs through the file, the panels, GLSL of every kind, preview against core.
 # tests PROGRAM FILTER: a filter that matches nothing fails.

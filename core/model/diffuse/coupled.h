@@ -26,7 +26,8 @@ struct CoupledDiffuse {
             .member = &CoupledDiffuse::albedo, .text = diffuse_albedo_text, .bounds = {0, 1}}};
     }
 
-    static constexpr const char* formula = "rho = specular + coupling diffuse_albedo (1 - R(k1)) (1 - R(k2))";
+    static constexpr const char* formula =
+        "rho = specular + coupling diffuse_albedo max(0, 1 - R(k1)) max(0, 1 - R(k2))";
     static constexpr bool reads_albedo = true;
     ShaderDiffuse shader(glm::dvec3) const { return {.albedo = albedo}; }
     std::optional<glm::dvec3> own_albedo() const { return albedo; }

@@ -20,7 +20,8 @@ struct MetalDiffuse {
     static constexpr auto parameters() { return std::tuple{}; }
 
     static constexpr const char* formula =
-        "rho = specular + coupling diffuse_albedo (f - R(k1))+ (f - R(k2))+, f = diffuse_albedo";
+        "rho = specular + coupling diffuse_albedo max(0, diffuse_albedo - R(k1)) max(0, diffuse_albedo - "
+        "R(k2))";
     static constexpr bool reads_albedo = true;
     ShaderDiffuse shader(glm::dvec3 f0) const { return {.albedo = f0}; }
     std::optional<glm::dvec3> own_albedo() const { return {}; }

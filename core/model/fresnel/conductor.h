@@ -4,9 +4,12 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/base/limits.h"
 #include "core/model/fresnel/shader_fresnel.h"
+#include "core/model/kinds/extreme_claims.h"
 #include "core/model/kinds/parameter.h"
 
 namespace nacre {
@@ -40,8 +43,24 @@ struct ConductorFresnel {
                 .slider = {.ends = {0, 10}, .format = "%.3g"}}};
     }
 
+    static constexpr const char* formula =
+        "u = eta^2 - k^2 - 1 + c^2; m = sqrt(u^2 + (2 eta k)^2); a = sqrt(max(0, (m + u)/2)); b = "
+        "sqrt(max(0, (m - u)/2)); "
+        "rs = ((a - c)^2 + b^2)/((a + c)^2 + b^2); "
+        "rp = rs ((a c - 1 + c^2)^2 + (b c)^2)/((a c + 1 - c^2)^2 + (b c)^2); "
+        "F = (rs + rp)/2: each colour; 0 where eta = 1 and k = 0";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {eta, k}; }
+    // Total reflection without loss begins with a kink in F, which no table follows.
+    ExtremeClaims extreme_claims() const {
+        for (int i = 0; i < 3; ++i)
+            if (eta[i] < 1 && k[i] == 0) return {.albedo = 0.15};
+        return {};
+    }
+    static std::vector<std::pair<const char*, ConductorFresnel>> singular() {
+        return {{"index 1", {glm::dvec3(1), glm::dvec3(0)}},
+                {"eta (0.001, 1, 100), k (100, 0, 1e-6)", {{1e-3, 1, 100}, {100, 0, 1e-6}}}};
+    }
 
     // Gulbrandsen 2014 with an edge tint of one half; keeps f0 within 0.01 to 0.99.
     static ConductorFresnel of_normal_reflectance(glm::dvec3 f0) {

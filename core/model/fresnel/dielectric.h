@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/base/limits.h"
 #include "core/model/fresnel/shader_fresnel.h"
@@ -32,8 +34,14 @@ struct DielectricFresnel {
             .slider = {.ends = {1, 2.5}}}};
     }
 
+    static constexpr const char* formula =
+        "root = sqrt(ior^2 - 1 + c^2); rs = (c - root)/(c + root); rp = (ior^2 c - root)/(ior^2 c + root); "
+        "F = (rs^2 + rp^2)/2: 0 where ior = 1";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {glm::dvec3(ior), {}}; }
+    static std::vector<std::pair<const char*, DielectricFresnel>> singular() {
+        return {{"ior 1 + 1e-12", {1 + 1e-12}}};
+    }
 
     // Of a colour's mean; 0.66 is what the largest index reflects.
     static DielectricFresnel of_normal_reflectance(glm::dvec3 f0) {

@@ -16,6 +16,7 @@ struct NoFresnel {
     static constexpr const char* note = "Every facet is a perfect mirror (F = 1).";
     static constexpr auto parameters() { return std::tuple{}; }
 
+    static constexpr const char* formula = "F = 1";
     static constexpr FresnelTables tables = FresnelTables::none;
     ShaderFresnel shader() const { return {}; }
     static NoFresnel of_normal_reflectance(glm::dvec3) { return {}; }

@@ -31,6 +31,7 @@ struct SchlickFresnel {
             .bounds = {0, 1}}};
     }
 
+    static constexpr const char* formula = "F = f0 + (1 - f0) (1 - c)^5";
     static constexpr FresnelTables tables = FresnelTables::linear;
     ShaderFresnel shader() const { return {f0, {}}; }
     static SchlickFresnel of_normal_reflectance(glm::dvec3 f0) { return {glm::clamp(f0, 0.0, 1.0)}; }

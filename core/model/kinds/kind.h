@@ -5,7 +5,12 @@
 //   explanation  for its tooltip, with the equation
 //   parameters() a tuple of what parameter.h declares, one for each member
 //
-// and what its own set asks for besides (lobes.h, fresnel_models.h, diffuse_models.h, masking_models.h).
+// and what its own set asks for besides (lobes.h, fresnel_models.h, diffuse_models.h, masking_models.h). It
+// may have
+//
+//   fault()    the rule between its parameters that is broken
+//   singular() names and values that are extreme though no bound tells it, for core/study/kind_extremes.h
+//   extreme_claims() what is expected of a design with it, where that is more than usual (extreme_claims.h)
 #pragma once
 
 #include <array>

@@ -37,6 +37,7 @@ struct BeckmannLobe {
     const char* formula() const { return "exp(-((x i/z)^2 + (y j/z)^2))/z^4"; }
     ShaderLobe shader() const { return {.inverse_width = {1 / alpha_x, 1 / alpha_y}}; }
     std::shared_ptr<const LobeModel> model() const;
+    ExtremeClaims extreme_claims() const { return claims_of_widths(alpha_x, alpha_y); }
 };
 
 }  // namespace nacre

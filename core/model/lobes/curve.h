@@ -54,11 +54,17 @@ struct CurveLobe {
         return curve;
     }
 
+    static std::vector<std::pair<const char*, CurveLobe>> singular() {
+        return {{"a ring 0.002 degrees wide", {{{20, 0}, {20.001, 1}, {20.002, 0}}}},
+                {"a step at the horizon", {{{0, 1}, {90, 1}}}}};
+    }
+
     double period() const { return 0; }
     bool reaches_below() const { return !points.empty() && points.back().first > 90; }
     const char* table_kind() const { return name; }
     const char* formula() const {
-        return "straight lines through `curve` over theta = acos(z), also where z <= 0; 0 outside it";
+        return "curve(acos(z)), also where z <= 0: straight lines through the points of `curve`, 0 outside "
+               "them";
     }
     ShaderLobe shader() const;
     std::shared_ptr<const LobeModel> model() const;

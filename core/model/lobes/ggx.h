@@ -35,6 +35,7 @@ struct GgxLobe {
     const char* formula() const { return "1/((x i)^2 + (y j)^2 + z^2)^2"; }
     ShaderLobe shader() const { return {.inverse_width = {1 / alpha_x, 1 / alpha_y}}; }
     std::shared_ptr<const LobeModel> model() const;
+    ExtremeClaims extreme_claims() const { return claims_of_widths(alpha_x, alpha_y); }
 };
 
 }  // namespace nacre

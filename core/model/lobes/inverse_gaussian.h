@@ -38,7 +38,7 @@ struct InverseGaussianLobe {
     double period() const { return 0; }
     bool reaches_below() const { return false; }
     const char* table_kind() const { return name; }
-    const char* formula() const { return "exp(-(z i)^2/(x^2 + y^2)), 0 at x = y = 0"; }
+    const char* formula() const { return "exp(-(z i)^2/(x^2 + y^2)): 0 at x = y = 0"; }
     ShaderLobe shader() const { return {.inverse_width = glm::dvec2(1 / sigma)}; }
     std::shared_ptr<const LobeModel> model() const;
 };

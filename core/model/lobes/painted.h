@@ -62,7 +62,7 @@ struct PaintedLobe {
     double period() const { return 360; }
     bool reaches_below() const { return false; }
     const char* table_kind() const { return name; }
-    const char* formula() const { return "`picture`"; }
+    const char* formula() const { return "picture(x, y, z)"; }
     ShaderLobe shader() const;
 
     // Its own picture and a modulation's are one picture to it. A product that is 0 everywhere has mass 0.

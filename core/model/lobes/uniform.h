@@ -35,6 +35,10 @@ struct UniformLobe {
     static UniformLobe of_widths(glm::dvec2) { return {}; }
 
     double period() const { return 0; }
+    ExtremeClaims extreme_claims() const {
+        if (domain == UniformDomain::sphere) return {.refusal = "the facets must face up on the whole"};
+        return {};
+    }
     bool reaches_below() const { return domain == UniformDomain::sphere; }
     const char* table_kind() const { return domain == UniformDomain::sphere ? "sphere" : "hemisphere"; }
     const char* formula() const { return domain == UniformDomain::sphere ? "1, also where z <= 0" : "1"; }

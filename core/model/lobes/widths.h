@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/base/limits.h"
+#include "core/model/kinds/extreme_claims.h"
 #include "core/model/kinds/parameter.h"
 
 namespace nacre {
@@ -51,6 +52,15 @@ constexpr NumberParameter<Lobe> roughness_y_parameter() {
         {"alpha_y", "Roughness y",
          "\u03b1y, the roughness along y (the bitangent). Unequal ones stretch the highlight across "
          "the rougher direction: brushed metal, hair, cloth."});
+}
+
+// Of a lobe with long tails that is much wider one way: R turns within a thousandth of a degree of azimuth.
+inline ExtremeClaims claims_of_widths(double x, double y) {
+    const double narrow = std::fmin(x, y), wide = std::fmax(x, y);
+    if (x == y) return {};
+    if (wide > 1e4 && narrow > 1e-3) return {.albedo = 0.3};
+    if (narrow < 1e-3) return {.albedo = layer_albedo_claim};
+    return {};
 }
 
 // Period in degrees of a lobe that is symmetric in x and in y: 0 when it is round.

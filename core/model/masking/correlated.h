@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "core/base/limits.h"
+#include "core/model/kinds/extreme_claims.h"
 #include "core/model/kinds/parameter.h"
 #include "core/model/masking/masking_bends.h"
 
@@ -22,8 +23,8 @@ struct CorrelatedMasking {
     static constexpr const char* compared_label = "Same p, by azimuth";
     static constexpr const char* citation = "Ashikhmin, Premoze and Shirley 2000, eq. 14";
     static constexpr const char* formula =
-        "V = (1-t) N/(G1 G2) + t/max(G1 z2, G2 z1), t = exp(-(d/correlation_width)^2/2), d = the "
-        "angle between the directions' projections onto the surface";
+        "d = atan2(abs(x1 y2 - y1 x2), x1 x2 + y1 y2); t = exp(-(180 d/(pi correlation_width_degrees))^2/2); "
+        "V = (1 - t) N/(G1 G2) + t/max(G1 z2, G2 z1): where k = (0, 0, 1), `axis` in the place of (x, y)";
     static constexpr const char* part = "azimuth correlation t(phi)";
     static constexpr MaskingBends bends = MaskingBends::azimuth;
     static constexpr auto parameters() {
@@ -39,6 +40,9 @@ struct CorrelatedMasking {
     }
 
     double shader_width() const { return width; }
+    ExtremeClaims leaning_claims(bool clamp) const {
+        return width > 90 ? strongly_correlated_claims(clamp) : weakly_correlated_claims(clamp);
+    }
 };
 
 }  // namespace nacre

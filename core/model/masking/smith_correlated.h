@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "core/model/kinds/extreme_claims.h"
 #include "core/model/masking/masking_bends.h"
 
 namespace nacre {
@@ -17,12 +18,14 @@ struct SmithCorrelatedMasking {
         "eq. 99).";
     static constexpr const char* compared_label = "Same p, Smith by height";
     static constexpr const char* citation = "Heitz 2014, eq. 99";
-    static constexpr const char* formula = "V = N/(G1 G2)/(p1 + p2 - p1 p2), p = min(1, N z/G)";
+    static constexpr const char* formula =
+        "p1 = min(1, N z1/G1); p2 = min(1, N z2/G2); V = N/(G1 G2)/(p1 + p2 - p1 p2)";
     static constexpr const char* part = "height correlation";
     static constexpr MaskingBends bends = MaskingBends::horizon;
     static constexpr auto parameters() { return std::tuple{}; }
 
     double shader_width() const { return 1; }  // read by no one
+    ExtremeClaims leaning_claims(bool clamp) const { return strongly_correlated_claims(clamp); }
 };
 
 }  // namespace nacre

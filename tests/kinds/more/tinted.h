@@ -21,6 +21,7 @@ struct TintedFresnel {
         return std::tuple{ColourParameter<TintedFresnel>{
             .member = &TintedFresnel::tint, .text = {"tint", "Tint", "Reflected colour."}, .bounds = {0, 1}}};
     }
+    static constexpr const char* formula = "F = tint";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {tint, {}}; }
     static TintedFresnel of_normal_reflectance(glm::dvec3 f0) { return {glm::clamp(f0, 0.0, 1.0)}; }

@@ -1,0 +1,72 @@
+"""formulas.py NACRE_CLI SOURCE FOLDER [DESIGN...]: the formulas of manifest.json, evaluated as they are written there, give the BRDF of
+`nacre-cli eval`: of every kind of core/model/kinds.cmake with its defaults, isotropic, anisotropic, leaning, modulated and painted; or of these designs alone."""
+import json, pathlib, re, subprocess, sys
+import numpy as np
+from agreement import fail, pairs_above_the_horizon, require_close, rows_of
+from stranger import Stranger
+
+cli, source, folder = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+kinds = {}
+for kind_set, name in re.findall(r"^nacre_kind\((\w+) (\w+) ", (source / "core/model/kinds.cmake").read_text(), re.MULTILINE):
+    kinds.setdefault(kind_set, []).append(name)
+
+
+def picture(side):
+    """Bright where x and y are, nowhere 0."""
+    return {"width": side, "height": side, "values": [1 + column + 3 * (side - row) for row in range(side) for column in range(side)]}
+
+
+needed = {"painted": {"image": picture(5)}}
+wide = {"gaussian": {"sigma_x": 0.6, "sigma_y": 0.3}, "ggx": {"alpha_x": 0.2, "alpha_y": 0.5}, "beckmann": {"alpha_x": 0.5, "alpha_y": 0.3}}
+haze = {"lobe": "uniform", "weight": 0.3}
+materials = {"schlick": {"f0": [0.9, 0.5, 0.1]}}
+diffuses = {"lambertian": {"kd": 0.6, "ks": 0.4, "albedo": [0.9, 0.5, 0.2]}, "coupled": {"albedo": [0.9, 0.5, 0.2]}}
+turned = [{}, {"rotation": 25}, {"tilt": 20, "azimuth": 50}, {"rotation": 30, "tilt": 25, "modulation": {"image": picture(4), "strength": 0.7}}]
+
+
+def of(names, index):
+    return names[index % len(names)]
+
+
+def designs():
+    """Each lobe in each place, the models in turn; then every two models of different sets."""
+    for index, lobe in enumerate(kinds["lobes"]):
+        for place, placed in enumerate(turned):
+            layers = [{"lobe": lobe, **needed.get(lobe, {}), **(wide.get(lobe, {}) if place else {}), **placed}, haze]
+            yield f"{lobe}-{place}", layers, of(kinds["masking"], index + place), of(kinds["fresnel"], index), of(kinds["diffuse"], index // 2 + place)
+    layers = [{"lobe": "ggx", "alpha_x": 0.3, "alpha_y": 0.4}]
+    for fresnel in kinds["fresnel"]:
+        for diffuse in kinds["diffuse"]:
+            yield f"{fresnel}-{diffuse}", layers, of(kinds["masking"], len(fresnel) + len(diffuse)), fresnel, diffuse
+    for masking in kinds["masking"]:
+        yield f"{masking}-no-clamp", [{**layers[0], "tilt": 30}], masking, "none", "none"
+    yield "whole-sphere", [{"lobe": "uniform", "domain": "sphere"}, layers[0]], kinds["masking"][0], "none", "none"
+
+
+folder = folder / "formulas"
+folder.mkdir(parents=True, exist_ok=True)
+# The last two: k1 at the normal, k2 as low as k1 on the other side.
+pairs = pairs_above_the_horizon(40) + ["0 0 1 0.3 0.1 0.9", "0.96 0 0.28 -0.96 0 0.28"]
+numbers = np.array([line.split() for line in pairs], float).reshape(-1, 2, 3)
+numbers /= np.linalg.norm(numbers, axis=2, keepdims=True)
+
+
+def check(design):
+    tables = folder / design.stem
+    subprocess.run([cli, "bake", design, "-o", tables, "--tolerance", "0.01"], check=True, stdout=subprocess.DEVNULL)
+    stranger, expected = Stranger(tables), rows_of([cli, "eval", design, "--tolerance", "0.01"], pairs)
+    if not max(max(row) for row in expected) > 0.05:
+        fail(f"{design}: the directions show nothing")
+    require_close(design.stem, [stranger.brdf(*pair) for pair in numbers], expected, 1e-6)
+
+
+if sys.argv[4:]:
+    for design in sys.argv[4:]:
+        check(pathlib.Path(design))
+    sys.exit()
+for name, layers, masking, fresnel, diffuse in designs():
+    design = folder / f"{name}.nacre"
+    design.write_text(json.dumps({"nacre": 1, "distribution": {"layers": layers},
+                                  "shadowing": {"model": masking, "clamp": not name.endswith("no-clamp")},
+                                  "fresnel": {"model": fresnel, **materials.get(fresnel, {})}, "diffuse": {"model": diffuse, **diffuses.get(diffuse, {})}}))
+    check(design)

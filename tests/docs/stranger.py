@@ -1,0 +1,132 @@
+"""A reader of baked tables that has nothing but their folder: it evaluates the formulas of manifest.json as they are written there
+(docs/tables.md)."""
+import json, re
+import numpy as np
+import OpenImageIO as oiio
+
+FUNCTIONS = {"exp": np.exp, "sqrt": np.sqrt, "acos": np.arccos, "atan2": np.arctan2, "abs": np.abs, "max": np.maximum, "min": np.minimum,
+             "dot": np.dot, "normalize": lambda k: k / np.linalg.norm(k), "pi": np.pi}
+TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:e-?\d+)?)|([A-Za-z_]\w*'?)(\(?)|(.))")
+
+
+def python_of(expression):
+    """Two factors side by side are a product, a name with its parenthesis at once is a function, ^ is a power."""
+    parts, after_value, divided = [], False, [False]
+    for number, name, call, sign in TOKEN.findall(expression):
+        if (number or name or sign == "(") and after_value:
+            if divided[-1]:
+                raise SyntaxError(f"{expression}: divided by one factor or by both?")
+            parts.append("*")
+        parts.append(number or name.replace("'", "_prime") + call or {"^": "**"}.get(sign, sign))
+        after_value = bool((number or name) and not call or sign and sign in ")]")
+        if call or sign and sign in "([":
+            divided.append(False)
+        elif sign and sign in ")]":
+            divided.pop()
+        elif sign and sign in "/+-,":
+            divided[-1] = sign == "/"
+    return "".join(parts)
+
+
+def statements(text):
+    """(name, expression) of `name = expression; ...: remark`; none of a step that is but words."""
+    said = text.split(": ")[0]
+    return [tuple(part.strip().split(" = ")) for part in said.split(";")] if " = " in said else []
+
+
+class Stranger:
+    def __init__(self, folder):
+        self.manifest = json.loads((folder / "manifest.json").read_text())
+        self.pictures, self.compiled = {}, {}
+        for table in self.manifest["tables"]:
+            self.pictures[table["file"]] = oiio.ImageBuf(str(folder / table["file"])).get_pixels(oiio.FLOAT)
+        self.tables = {table["quantity"]: self.pictures[table["file"]] for table in self.manifest["tables"]}
+        self.known = {**FUNCTIONS, **{key: np.array(value) if isinstance(value, list) else value
+                                      for part in ("constants", "material") for key, value in self.manifest[part].items()}}
+        self.known.update(turns=turns, F=self.fresnel, p=self.p, R=lambda k: self.direction(k)["R"])
+        for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual")):
+            self.known[name] = lambda at, row, quantity=quantity: self.look_up(quantity, at, row)
+
+    def value(self, expression, scope):
+        if expression not in self.compiled:
+            self.compiled[expression] = compile(python_of(expression), expression, "eval")
+        with np.errstate(divide="ignore"):  # exp(-1/0) is 0
+            return eval(self.compiled[expression], {"__builtins__": {}}, {**self.known, **scope})
+
+    def follow(self, steps, scope):
+        for step in steps:
+            for name, expression in statements(step):
+                scope[name.replace("'", "_prime")] = self.value(expression, scope)
+        return scope
+
+    def direction(self, k):
+        scope = {"x": k[0], "y": k[1], "z": k[2]}
+        steps = [step for step in self.manifest["evaluate"] if not step.startswith("k = ")]
+        albedo = [self.manifest[key] for key in ("fresnel_at_n", "albedo_of_design") if key in self.manifest]
+        return self.follow([*albedo[:-1], *steps, *albedo[-1:]], scope)
+
+    def fresnel(self, cosine):
+        return self.follow([step for step in self.manifest["brdf"] if re.search(r"(^|; )F = ", step)], {"c": cosine})["F"]
+
+    def p(self, h):
+        return sum(self.layer(layer, h) for layer in self.manifest["distribution"]["layers"])
+
+    def layer(self, layer, h):
+        x, y, z = (np.dot(layer["axis_" + axis], h) for axis in "xyz")
+        said = layer["lobe"].split(": ")[0]
+        formula = said.removesuffix(", also where z <= 0")
+        if z <= 0 and formula == said:
+            return 0
+        scope = {"x": x, "y": y, "z": z, "i": layer["inverse_width"][0], "j": layer["inverse_width"][1],
+                 "picture": lambda x, y, z: self.picture(layer["picture"], x, y, z)}
+        if "curve" in layer:
+            scope["curve"] = lambda theta: np.interp(theta, *np.array(layer["curve"]).T, left=0, right=0)
+        value = self.value(formula, scope)
+        if "modulation" in layer:
+            words = self.manifest["distribution"]["modulation"].removeprefix("the lobe times ")
+            scope.update(modulation_strength=layer["modulation_strength"],
+                         picture=lambda x, y, z: self.picture(layer["modulation"], x, y, z))
+            value *= self.value(words, scope)
+        return layer["scale"] * value
+
+    def picture(self, file, x, y, z):
+        if z <= 0:
+            return 0
+        texels, side = self.pictures[file][:, :, 0], len(self.pictures[file])
+        column, row = (np.clip(side * (1 + a / np.sqrt(1 + z)) / 2 - 0.5, 0, side - 1) for a in (x, -y))
+        return bilinear(texels, column, row, min(int(row) + 1, side - 1))
+
+    def look_up(self, quantity, at, azimuth):
+        """The rules of `texels`; one number, or one for each colour."""
+        texels, symmetry = self.tables[quantity], self.manifest["symmetry"]
+        rows, columns = texels.shape[:2]
+        row = azimuth * {"isotropic": 0, "quarter": rows - 1, "half": (rows - 1) / 2, "none": rows / 4}[symmetry]
+        below = (int(row) + 1) % rows if symmetry == "none" else min(int(row) + 1, rows - 1)
+        value = bilinear(texels, at * (columns - 1), row, below)
+        return value if len(value) > 1 else value[0]
+
+    def brdf(self, k1, k2):
+        if k1[2] <= 0 or k2[2] <= 0:
+            return np.zeros(3)
+        scope = {"k1": k1, "k2": k2}
+        for index, k in (("1", k1), ("2", k2)):
+            x, y = k[:2] if k[0] or k[1] else self.known["axis"]
+            scope.update({"g" + index: self.direction(k)["g"], "x" + index: x, "y" + index: y, "z" + index: k[2]})
+        return np.broadcast_to(self.follow(self.manifest["brdf"], scope)["rho"], 3)
+
+
+def bilinear(texels, column, row, below):
+    i, j = int(column), min(int(row), len(texels) - 1)
+    right = min(i + 1, texels.shape[1] - 1)
+    s, t = column - i, row - j
+    above = texels[j, i] * (1 - s) + texels[j, right] * s
+    return above * (1 - t) + (texels[below, i] * (1 - s) + texels[below, right] * s) * t
+
+
+def turns(a, b):
+    """As `evaluate` says it."""
+    size = abs(a) + abs(b)
+    t = (abs(b) - abs(a)) / size if size else -1
+    u = 0.5 + t * (6 - t * t) / 10
+    u = 2 - u if a < 0 else u
+    return 4 - u if b < 0 else u
