@@ -185,7 +185,7 @@ TEST_CASE("slider: those of the brush") {
     rig.enter_number("Rays", "9");
     CHECK(state.rays == 9);
     rig.double_click("Rays", 0.8f);
-    CHECK(state.rays == ui::usual_rays);
+    CHECK(state.rays == usual_rays);
 }
 
 TEST_CASE("colour: six hexadecimal digits are the displayed colour; fewer change nothing") {
