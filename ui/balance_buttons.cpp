@@ -10,32 +10,32 @@ namespace {
 
 constexpr double lean_kept = 1e-5;  // degrees: what rounding leaves
 
-bool leans(const CanvasState& state) { return state.mean && polar_angle(*state.mean) > lean_kept; }
+bool leans(const std::optional<dvec3>& mean) { return mean && polar_angle(*mean) > lean_kept; }
 
 }  // namespace
 
-void balance_button(CanvasState& state, Distribution& distribution) {
+void balance_button(CanvasState& state, const std::optional<dvec3>& mean, Distribution& distribution) {
     if (!button(balance_text,
                 "Change how many facets there are of each normal, as little as can be, so that their mean "
                 "normal is n: p exp(\u03bb\u00b7h)/Z, the nearest to p in relative entropy. Paint fades on "
                 "the heavier side and grows on the lighter; lobes change their weight and lean a little. "
                 "Nothing of the picture moves far: Straighten turns it as a whole instead.",
-                leans(state)))
+                leans(mean)))
         return;
     try {
         distribution = balanced(distribution);
     } catch (const UserError& refused) {
-        state.refusal = Refusal{*state.mean, refused.problem};
+        state.refusal = Refusal{*mean, refused.problem};
     }
 }
 
-void straighten_button(const CanvasState& state, Distribution& distribution) {
+void straighten_button(const std::optional<dvec3>& mean, Distribution& distribution) {
     if (button("Straighten",
                "Turn all layers together by the smallest angle that brings the mean normal to n. While it "
                "leans, facets on one side show more area than the surface has; Keep energy then counts none "
                "twice.",
-               leans(state)))
-        straighten(distribution, *state.mean);
+               leans(mean)))
+        straighten(distribution, *mean);
 }
 
 }  // namespace nacre::ui

@@ -17,8 +17,9 @@ struct BrushSurface {
     std::function<std::optional<dvec3>(glm::dvec2 pixel)> normal;
 };
 
-// The left button with any tool but the handles: press and drag. Returns whether the pointer is the tool's.
-bool use_tool(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
-              std::size_t& chosen);
+// The left button with any tool but the handles: press and drag. `seen` is p as the surface shows it. Returns
+// whether the pointer is the tool's.
+bool use_tool(CanvasState& state, const BrushSurface& surface, const FacetDistribution* seen,
+              Distribution& distribution, std::size_t& chosen);
 
 }  // namespace nacre::ui

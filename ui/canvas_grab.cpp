@@ -18,6 +18,17 @@ std::optional<CarriedLayer> taken(const Layer& layer, std::size_t index, const B
     return carried;
 }
 
+// The layer with the most facets at a normal, if any has some there.
+std::optional<std::size_t> strongest_layer(const FacetDistribution& p, dvec3 h) {
+    std::optional<std::size_t> strongest;
+    double most = 0;
+    for (const PlacedLobe& placed : p.lobes()) {
+        const double density = placed.scale * placed.lobe->density(glm::transpose(placed.frame) * h);
+        if (density > most) most = density, strongest = placed.layer;
+    }
+    return strongest;
+}
+
 Layer dragged(const CarriedLayer& held, dvec3 to, const Layer& now) {
     if (!held.highlight) return carried(held.before, held.from, to);
     auto raster = held.highlight->carried(glm::transpose(layer_frame(held.before)) * to);
@@ -28,14 +39,14 @@ Layer dragged(const CarriedLayer& held, dvec3 to, const Layer& now) {
 }
 
 // A press takes hold in the layer that is strongest there; a drag carries along what was taken.
-bool grab_layers(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
-                 std::size_t& chosen) {
+bool grab_layers(CanvasState& state, const BrushSurface& surface, const FacetDistribution* seen,
+                 Distribution& distribution, std::size_t& chosen) {
     if (state.carried && state.carried->surface == surface.surface &&
         (!surface.active || !ImGui::IsMouseDown(ImGuiMouseButton_Left)))
         state.carried.reset();
     const bool pointing = surface.hovered && surface.pointed_at;
     if (pointing && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        const auto layer = state.strongest_layer ? state.strongest_layer(*surface.pointed_at) : std::nullopt;
+        const auto layer = seen != nullptr ? strongest_layer(*seen, *surface.pointed_at) : std::nullopt;
         if (layer && *layer < distribution.layers.size()) {
             chosen = *layer;
             state.carried = taken(distribution.layers[chosen], chosen, surface);
@@ -53,9 +64,9 @@ bool grab_layers(CanvasState& state, const BrushSurface& surface, Distribution& 
 
 }  // namespace
 
-bool use_tool(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
-              std::size_t& chosen) {
-    return state.tool == CanvasTool::grab ? grab_layers(state, surface, distribution, chosen)
+bool use_tool(CanvasState& state, const BrushSurface& surface, const FacetDistribution* seen,
+              Distribution& distribution, std::size_t& chosen) {
+    return state.tool == CanvasTool::grab ? grab_layers(state, surface, seen, distribution, chosen)
                                           : paint_layers(state, surface, distribution, chosen);
 }
 

@@ -133,15 +133,15 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution&
     return true;
 }
 
-void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Distribution& distribution,
-                std::size_t chosen) {
-    const std::optional<dvec3>& at = frame.cursor ? frame.cursor : state.marked;
+void draw_brush(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    const std::optional<dvec3>& at = frame.cursor ? frame.cursor : contents.marked;
     const auto tool = paints_with(state.tool);
     if (!at || !tool) return;
     const PaintToolInfo& kind = info(*tool);
     const auto* dabs = std::get_if<DabTool>(&kind.work);
+    const Distribution& design = *contents.design;
     const glm::dmat3 place =
-        is_painted(distribution, chosen) ? layer_frame(distribution.layers[chosen]) : glm::dmat3(1);
+        is_painted(design, contents.chosen) ? layer_frame(design.layers[contents.chosen]) : glm::dmat3(1);
     const dvec3 middle = glm::transpose(place) * *at;
     const double radius = state.brush.radius * radians;
     if (middle.z < -0.5) return;

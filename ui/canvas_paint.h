@@ -14,7 +14,6 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution&
 void add_painted_layer(Distribution& distribution, std::size_t& chosen);
 
 // The brush under the pointer as it will land, copies included.
-void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Distribution& distribution,
-                std::size_t chosen);
+void draw_brush(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents);
 
 }  // namespace nacre::ui

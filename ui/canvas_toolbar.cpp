@@ -141,7 +141,8 @@ float number_width(float others) {
     return std::clamp(room / 3, size * 4.4f, size * 6.2f);
 }
 
-void brush_row(CanvasState& state, PaintTool tool, Distribution& distribution) {
+void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& mean,
+               Distribution& distribution) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
     const bool turned = state.symmetry.kind == SymmetryKind::turns;
     const float menu = button_width("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
@@ -177,14 +178,14 @@ void brush_row(CanvasState& state, PaintTool tool, Distribution& distribution) {
                      "How many copies stand about the axis, evenly turned.", state.symmetry.turns);
     }
     stay_on_line(button_width(balance_text), gap);
-    balance_button(state, distribution);
+    balance_button(state, mean, distribution);
 }
 
 // What stands in place of the brush's numbers while there is no brush.
-void handles_row(CanvasState& state, Distribution& distribution) {
-    balance_button(state, distribution);
+void handles_row(CanvasState& state, const std::optional<dvec3>& mean, Distribution& distribution) {
+    balance_button(state, mean, distribution);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    straighten_button(state, distribution);
+    straighten_button(mean, distribution);
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < hint_ems * ImGui::GetFontSize()) return ImGui::NewLine();
     ImGui::AlignTextToFramePadding();
@@ -210,7 +211,8 @@ void resize_brush(CanvasState& state, int steps) {
         std::clamp(state.brush.radius * std::pow(key_factor, steps), brush_radius_min, brush_radius_max);
 }
 
-void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
+void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distribution& distribution,
+                    std::size_t& chosen) {
     take_keys(state);
     bool first = true;
     for (const ToolEntry& entry : canvas_tools()) {
@@ -226,9 +228,9 @@ void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t&
     }
     view_buttons(state);
     if (const auto tool = paints_with(state.tool))
-        brush_row(state, *tool, distribution);
+        brush_row(state, *tool, mean, distribution);
     else
-        handles_row(state, distribution);
+        handles_row(state, mean, distribution);
 }
 
 }  // namespace nacre::ui

@@ -6,7 +6,9 @@
 namespace nacre::ui {
 
 // Two rows, or more where the canvas is narrow. Takes the keys of the tools.
-void canvas_toolbar(CanvasState& state, Distribution& distribution, std::size_t& chosen);
+// `mean` as of CanvasSight.
+void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distribution& distribution,
+                    std::size_t& chosen);
 
 // Makes the brush's radius larger by so many steps of a key, or smaller.
 void resize_brush(CanvasState& state, int steps);

@@ -65,7 +65,7 @@ void text_at(ImVec2 at, const std::string& text, const Colour& colour) {
 std::string readout(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
     if (contents.design)
         if (std::string held = handle_text(state, *contents.design); !held.empty()) return held;
-    const std::optional<dvec3>& pointed = frame.cursor ? frame.cursor : state.marked;
+    const std::optional<dvec3>& pointed = frame.cursor ? frame.cursor : contents.marked;
     if (!pointed) return {};
     const dvec3 h = *pointed;
     std::string text = fmt::format("\u03b8 {:.1f}\u00b0   \u03c6 {:.1f}\u00b0", polar_angle(h), azimuth(h));
@@ -109,7 +109,7 @@ void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasCont
         colour = lean < lean_noticed ? palette::text_dim : palette::amber;
         text =
             lean < lean_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", lean);
-        if (state.refusal && state.mean == state.refusal->mean)
+        if (state.refusal && contents.mean == state.refusal->mean)
             text = state.refusal->why, colour = palette::amber;
     }
     const float text_left = right - ImGui::CalcTextSize(text.c_str()).x;
@@ -131,11 +131,12 @@ ImVec2 CanvasFrame::screen(dvec3 h) const {
 
 glm::dvec2 CanvasFrame::pixel(ImVec2 screen) const { return {screen.x - low.x, screen.y - low.y}; }
 
-CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
+CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribution& distribution,
+                         std::size_t& chosen) {
     const float border = ImGui::GetFontSize() * 0.6f;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + border, ImGui::GetCursorPosY() + border});
     ImGui::BeginGroup();
-    canvas_toolbar(state, distribution, chosen);
+    canvas_toolbar(state, sight.mean, distribution, chosen);
     ImGui::EndGroup();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -154,7 +155,7 @@ CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::si
     move_camera(state, frame);
     const bool taken = state.tool == CanvasTool::handles
                            ? handle_layers(state, frame, distribution, chosen)
-                           : use_tool(state, surface_of(frame), distribution, chosen);
+                           : use_tool(state, surface_of(frame), sight.p, distribution, chosen);
     if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
                           ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
         state.camera = {.dome = state.camera.dome, .below = state.camera.below};
@@ -175,8 +176,8 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
     if (contents.design && state.tool == CanvasTool::handles)
         draw_handles(state, frame, *contents.design, contents.chosen);
     else if (contents.design)
-        draw_brush(state, frame, *contents.design, contents.chosen);
-    if (state.marked) draw_mark(frame, *state.marked);
+        draw_brush(state, frame, contents);
+    if (contents.marked) draw_mark(frame, *contents.marked);
     list._FringeScale = 1;
     list.PopClipRect();
     legend(state, frame, contents);

@@ -4,7 +4,6 @@
 
 #include <imgui.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -78,10 +77,13 @@ struct CanvasState {
     std::optional<GrabbedHandle> grabbed;
     std::optional<HeldBrush> held;
     std::optional<CarriedLayer> carried;
-    std::function<std::optional<std::size_t>(dvec3)> strongest_layer;  // at a normal, if any has facets there
-    std::optional<dvec3> mean;  // of the facets' normals in the frame before, while all layers are shown
     std::optional<Refusal> refusal;
-    std::optional<dvec3> marked;  // by the preview: the normal of the facets that light what is pointed at
+};
+
+// What the hand works on: p as it was shown when the hand moved.
+struct CanvasSight {
+    const FacetDistribution* p = nullptr;  // null for a design without facets
+    std::optional<dvec3> mean;             // of the facets' normals, while all layers are shown
 };
 
 // Where the canvas lies in this frame, and what its pixels stand for.
@@ -103,11 +105,14 @@ struct CanvasContents {
     ImTextureID picture = nullptr;         // null while there is none
     ImVec2 picture_size;  // of the canvas, from its left top corner, in the units of the interface
     DensityScale scale;
+    std::optional<dvec3> mean;    // see CanvasSight
+    std::optional<dvec3> marked;  // by the preview: the normal of the facets that light what is pointed at
 };
 
 // The buttons above the canvas. Fills the rest of the window but for the legend below it. The wheel and the
 // middle and right buttons move the camera; the left one pulls handles of the layers or paints.
-CanvasFrame begin_canvas(CanvasState& state, Distribution& distribution, std::size_t& chosen);
+CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribution& distribution,
+                         std::size_t& chosen);
 
 // Picture, grid, mean normal, handles or brush, and the legend below.
 void end_canvas(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents);

@@ -22,27 +22,20 @@ bool layer_reaches_below(const Layer& layer) {
 // Those of them that are worth an outer ring: a part in a hundred of the facets' area, seen from below.
 bool shows_below(const FacetDistribution& p) { return p.projected_area({0, 0, -1}) > 0.01; }
 
+// What the hand works on.
+ui::CanvasSight sight_of(const Frame& frame, const ui::LayersView& layers) {
+    return {.p = frame.p, .mean = frame.p && !layers.solo ? std::optional(frame.p->mean()) : std::nullopt};
+}
+
 }  // namespace
 
 // Only between drags: the disk must not shrink under the pointer.
-void CanvasPane::show_below(const Distribution& distribution) {
+void CanvasPane::show_below(const Frame& seen) {
     if (ImGui::IsAnyMouseDown()) return;
-    const FacetDistribution* p = live_.of(distribution);
-    const auto& layers = distribution.layers;
-    const bool below = p && std::any_of(layers.begin(), layers.end(), layer_reaches_below) && shows_below(*p);
+    const auto& layers = seen.design.distribution.layers;
+    const bool below =
+        seen.p && std::any_of(layers.begin(), layers.end(), layer_reaches_below) && shows_below(*seen.p);
     if (below != state.camera.below) state.camera = {.dome = state.camera.dome, .below = below};
-}
-
-std::optional<std::size_t> CanvasPane::strongest_layer(dvec3 h) const {
-    const FacetDistribution* p = live_.newest();
-    if (!p) return {};
-    std::optional<std::size_t> strongest;
-    double most = 0;
-    for (const PlacedLobe& placed : p->lobes()) {
-        const double density = placed.scale * placed.lobe->density(glm::transpose(placed.frame) * h);
-        if (density > most) most = density, strongest = placed.layer;
-    }
-    return strongest;
 }
 
 int CanvasPane::divisor(const Drawn& wanted) {
@@ -69,32 +62,41 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
     drawn_ = wanted;
 }
 
-void CanvasPane::draw(Design& design, ui::LayersView& layers, const std::function<void()>& edited) {
-    show_below(ui::shown(layers, design.distribution));
-    state.strongest_layer = [this](dvec3 h) { return strongest_layer(h); };
-    const ui::CanvasFrame frame = ui::begin_canvas(state, design.distribution, layers.chosen);
-    pointed_at_ = frame.cursor;
-    edited();
-    const FacetDistribution* p = live_.of(ui::shown(layers, design.distribution));
-    state.mean = p && !layers.solo ? std::optional(p->mean()) : std::nullopt;
-    // Drawn at the framebuffer's pixels, of which a unit of the interface may have several.
+void CanvasPane::work(const Frame& seen, Design& design, ui::LayersView& layers) {
+    show_below(seen);
+    frame_ = ui::begin_canvas(state, sight_of(seen, layers), design.distribution, layers.chosen);
+}
+
+// Drawn at the framebuffer's pixels, of which a unit of the interface may have several.
+HemisphereView CanvasPane::view() const {
     const auto pixels = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
-    const HemisphereView view(state.camera, frame.view.size() * pixels);
-    Drawn wanted{.revision = live_.revision(),
+    return {state.camera, frame_.view.size() * pixels};
+}
+
+void CanvasPane::update(const Frame& frame) {
+    const HemisphereView seen = view();
+    Drawn wanted{.revision = frame.revision,
                  .camera = state.camera,
-                 .size = view.size(),
+                 .size = seen.size(),
                  .logarithmic = state.logarithmic};
     wanted.divisor = divisor(wanted);
-    if (p && wanted != drawn_) redraw(*p, view, wanted);
+    if (frame.p && wanted != drawn_) redraw(*frame.p, seen, wanted);
+}
+
+void CanvasPane::draw(const Frame& frame, const Design& design, const ui::LayersView& layers,
+                      const std::optional<dvec3>& marked) const {
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.name()));
+    const double pixels = view().size().x / frame_.view.size().x;
     const glm::vec2 covered(glm::dvec2(texels_ * drawn_.divisor) / pixels);
-    ui::end_canvas(state, frame,
+    ui::end_canvas(state, frame_,
                    {.design = &design.distribution,
                     .chosen = layers.chosen,
-                    .p = p,
-                    .picture = p ? texture : nullptr,
+                    .p = frame.p,
+                    .picture = frame.p ? texture : nullptr,
                     .picture_size = {covered.x, covered.y},
-                    .scale = scale_});
+                    .scale = scale_,
+                    .mean = sight_of(frame, layers).mean,
+                    .marked = marked});
 }
 
 }  // namespace nacre

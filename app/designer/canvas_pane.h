@@ -1,11 +1,9 @@
 // The canvas and its picture, which is p of the design as it is in this frame: no bake stands between.
 #pragma once
 
-#include <functional>
-
+#include "app/designer/frame.h"
 #include "app/preview/gl_objects.h"
 #include "core/design/design.h"
-#include "core/model/live_distribution.h"
 #include "ui/hemisphere_canvas.h"
 #include "ui/layers_panel.h"
 
@@ -16,13 +14,16 @@ class CanvasPane {
   public:
     ui::CanvasState state;
 
-    // Fills the current Dear ImGui window. `layers` says which of them is chosen, and which are shown.
-    // `edited` is called once the tools have done their part, before p is drawn.
-    void draw(Design& design, ui::LayersView& layers, const std::function<void()>& edited);
+    // Fills the current Dear ImGui window, where the tools work on `design`. `seen`: what is on the screen.
+    void work(const Frame& seen, Design& design, ui::LayersView& layers);
 
-    // p as the canvas showed it last, and a number that rises whenever it changes.
-    const FacetDistribution* distribution() const { return live_.newest(); }
-    int revision() const { return live_.revision(); }
+    // Makes the picture of p, as work() left the camera.
+    void update(const Frame& frame);
+
+    // Draws it into the window, once work() and update() are done. `marked` is a normal that the preview
+    // points at.
+    void draw(const Frame& frame, const Design& design, const ui::LayersView& layers,
+              const std::optional<dvec3>& marked) const;
 
     // From now on each picture is drawn with every pixel, however long it takes.
     void insist_on_best() { insist_on_best_ = true; }
@@ -31,7 +32,7 @@ class CanvasPane {
     glm::ivec2 picture_size() const { return texels_; }
 
     // The normal under the pointer.
-    const std::optional<dvec3>& pointed_at() const { return pointed_at_; }
+    const std::optional<dvec3>& pointed_at() const { return frame_.cursor; }
 
   private:
     // Everything that the picture depends on.
@@ -44,15 +45,14 @@ class CanvasPane {
         bool operator==(const Drawn&) const = default;
     };
 
-    std::optional<std::size_t> strongest_layer(dvec3 h) const;
-    void show_below(const Distribution& distribution);
+    void show_below(const Frame& seen);
+    HemisphereView view() const;  // of the framebuffer's pixels
     int divisor(const Drawn& wanted);
     void redraw(const FacetDistribution& p, const HemisphereView& view, const Drawn& wanted);
 
-    LiveDistribution live_;
     int scaled_revision_ = -1;  // that scale_ is for
     DensityScale scale_;
-    std::optional<dvec3> pointed_at_;
+    ui::CanvasFrame frame_{.low = {}, .high = {}, .view = HemisphereView({}, {1, 1}), .cursor = {}};
     Texture picture_;
     glm::ivec2 texels_{0};
     Drawn drawn_;

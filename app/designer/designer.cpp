@@ -69,14 +69,14 @@ Design shown_design(const Designer& designer) {
 // Final tables of this design, if they are what the preview shows.
 std::shared_ptr<const Tables> final_tables(const Designer& designer) {
     const bool newest = designer.baker.answered() == designer.baker.asked();
-    const bool final = designer.tables && designer.tables->quality == Quality::final;
-    return newest && final ? designer.tables : nullptr;
+    const auto& tables = designer.frame.tables;
+    return newest && tables && tables->quality == Quality::final ? tables : nullptr;
 }
 
 void draw_compare(Designer& designer) {
     Design& design = designer.document.design;
-    const bool whole = shown_design(designer) == design;
-    const PresentDesign present{design, whole ? final_tables(designer) : nullptr, designer.settled};
+    const bool whole = designer.frame.design == design;
+    const PresentDesign present{design, whole ? final_tables(designer) : nullptr, designer.frame.settled};
     if (auto restored = designer.comparison.draw_panel(present, designer.scene, designer.preview))
         design = *std::move(restored);
 }
@@ -99,7 +99,7 @@ void draw_panel(Designer& designer) {
         contents();
         ImGui::EndTabItem();
     };
-    designer.layers.thumbnails.update(designer.canvas.distribution(), designer.canvas.revision());
+    designer.layers.thumbnails.update(designer.frame.p, designer.frame.revision);
     tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
     tab("Material", [&] { draw_material(design); });
     tab("Light", [&] {
@@ -112,28 +112,32 @@ void draw_panel(Designer& designer) {
 }
 
 // The tools of the canvas work on the sphere too, but for the handles: those leave the light to the pointer.
-void draw_preview(Designer& designer) {
+void work_on_preview(Designer& designer) {
     Scene& scene = designer.scene;
     const bool shows_model = designer.comparison.shows_model();
     if (shows_model && is_factor(scene.term)) scene.term = Term::total;
     designer.objects.draw(scene, file_dialogs(designer));
     if (const auto note = designer.objects.take_note()) designer.files.tell(*note);
     ui::term_bar(scene.term, !shows_model);
-    const Design shown = shown_design(designer);
-    designer.comparison.follow({shown, nullptr, designer.settled}, scene, designer.preview);
     ui::CanvasState& canvas = designer.canvas.state;
+    const auto sphere = designer.preview.point(scene);
+    const bool taken = sphere && canvas.tool != ui::CanvasTool::handles &&
+                       ui::use_tool(canvas, *sphere, designer.frame.p, designer.document.design.distribution,
+                                    designer.layers.chosen);
+    designer.preview.work(scene, taken);
+}
+
+void draw_preview(Designer& designer) {
+    const Frame& frame = designer.frame;
+    designer.comparison.follow({frame.design, nullptr, frame.settled}, designer.scene, designer.preview);
+    const ui::CanvasState& canvas = designer.canvas.state;
     const bool probing = !ui::paints_with(canvas.tool);
     const std::optional<dvec3>& there = designer.canvas.pointed_at();
     // The brush's mark must not hide what it paints.
     std::optional<dvec3> glow = there;
     if (!probing && !there) glow = designer.preview.pointed_at();
     if (!probing && ImGui::IsAnyMouseDown()) glow.reset();
-    designer.preview.draw(designer.scene, glow, probing ? probe_radius : canvas.brush.radius,
-                          [&](const ui::BrushSurface& sphere) {
-                              return canvas.tool != ui::CanvasTool::handles &&
-                                     ui::use_tool(canvas, sphere, designer.document.design.distribution,
-                                                  designer.layers.chosen);
-                          });
+    designer.preview.draw(frame.tables, designer.scene, glow, probing ? probe_radius : canvas.brush.radius);
 }
 
 // What could not be kept: it stands before the last thing done.
@@ -146,7 +150,7 @@ std::string warning(const Designer& designer) {
 
 void draw_status(Designer& designer) {
     std::optional<ui::TablesStatus> baked;
-    if (designer.tables) baked = status_of(*designer.tables);
+    if (designer.frame.tables) baked = status_of(*designer.frame.tables);
     ui::status_line({.baked = std::move(baked),
                      .message = designer.files.message(),
                      .problem = designer.baker.problem(),
@@ -156,33 +160,30 @@ void draw_status(Designer& designer) {
     ui::plots_switch(designer.plots.state);
 }
 
-// While p is dragged or painted a draft follows; what it rests on is baked to the end.
-void notice_rest(Designer& designer, const Distribution& shown) {
-    const double now = ImGui::GetTime();
-    if (shown != designer.last_shown) {
-        designer.last_shown = shown;
-        designer.changed_at = now;
-    }
-    designer.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
-}
-
-// Asks for tables of what is shown now.
-void ask(Designer& designer) {
-    Design shown = shown_design(designer);
-    notice_rest(designer, shown.distribution);
-    designer.baker.want({.design = std::move(shown),
+// Asks for tables of this design unless they are what was asked for last.
+void ask(Designer& designer, const Design& shown) {
+    designer.baker.want({.design = shown,
                          .albedo = designer.scene.ambient || designer.plots.wants_albedo(),
-                         .settled = designer.settled});
+                         .settled = designer.frame.settled});
 }
 
-// A draft that comes within a moment is seen in the very frame of the edit that it answers.
-void follow_bake(Designer& designer) {
+// While p is dragged or painted a draft follows; what it rests on is baked to the end. A draft that comes
+// within a moment is seen in the very frame of the edit that it answers.
+void make_frame(Designer& designer) {
+    Frame& frame = designer.frame;
+    Design shown = shown_design(designer);
+    const double now = ImGui::GetTime();
+    if (shown.distribution != frame.design.distribution) designer.changed_at = now;
+    frame.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
+    frame.p = nullptr;  // whatever is thrown from here on
+    frame.design = std::move(shown);
+    ask(designer, frame.design);
+    frame.p = designer.live.of(frame.design.distribution);
+    frame.revision = designer.live.revision();
+    // The bake runs meanwhile.
+    designer.canvas.update(frame);
     const auto longest = designer.preview.has_picture() ? patience : first_patience;
-    if (auto tables = designer.baker.poll(longest)) {
-        designer.tables = tables;
-        designer.plots.show(tables);
-        designer.preview.show(std::move(tables));
-    }
+    if (auto tables = designer.baker.poll(longest)) frame.tables = std::move(tables);
 }
 
 std::filesystem::path autosave_folder(const UserFolders& folders) {
@@ -200,34 +201,35 @@ void draw_all(Designer& designer) {
     prepare_dialogs(designer);
     ui::close_popup_by_escape();
     end_click(designer);
-    // The first tables are baked while the rest of the first frame is drawn.
-    if (!designer.preview.has_picture()) ask(designer);
     if (!talking(designer))
         if (const auto order = ui::pressed_shortcut(command_infos())) perform(designer, *order);
     if (const auto order = ui::menu_bar(command_states(designer), document.title()))
         perform(designer, *order);
 
-    designer.canvas.state.marked = designer.preview.pointed_at();
-    // The bake of what was painted runs while the canvas is drawn.
-    const auto edited = [&] { ask(designer); };
-    Parts parts{.panel = [&] { draw_panel(designer); },
-                .canvas = [&] { designer.canvas.draw(document.design, designer.layers, edited); },
-                .preview =
+    Layout& layout = designer.settings.values.layout;
+    const Places places =
+        place_parts(layout, {.panel = designer.panels, .drawer = designer.plots.state.open});
+    take_input(places,
+               {.panel = [&] { draw_panel(designer); },
+                .canvas = [&] { designer.canvas.work(designer.frame, document.design, designer.layers); },
+                .preview = [&] { work_on_preview(designer); }});
+    make_frame(designer);
+    const Frame& frame = designer.frame;
+    draw_parts(layout, places,
+               {.canvas =
                     [&] {
-                        follow_bake(designer);
-                        draw_preview(designer);
+                        designer.canvas.draw(frame, document.design, designer.layers,
+                                             designer.preview.pointed_at());
                     },
-                .status = [&] { draw_status(designer); }};
-    if (!designer.panels) parts.panel = nullptr;
-    if (designer.plots.state.open)
-        parts.drawer = [&] { designer.plots.draw(document.stem(), file_dialogs(designer)); };
-    draw_layout(designer.settings.values.layout, parts);
+                .preview = [&] { draw_preview(designer); },
+                .drawer = [&] { designer.plots.draw(frame.tables, document.stem(), file_dialogs(designer)); },
+                .status = [&] { draw_status(designer); }});
     designer.environment.follow(designer.scene.environment);
     follow_files(designer);
     draw_dialogs(designer);
 
     end_edit(designer);
-    ask(designer);
+    ask(designer, shown_design(designer));
     keep(designer);
     ui::reserve_tab();
 }
@@ -262,7 +264,7 @@ void draw_frame(Designer& designer) {
 }
 
 bool in_motion(const Designer& designer) {
-    return !designer.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
+    return !designer.frame.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
            designer.plots.saving.in_motion() || designer.preview.environment_accumulator() ||
            designer.files.has_answer() || designer.exporter.in_motion() ||
            designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();

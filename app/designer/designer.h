@@ -19,6 +19,7 @@
 #include "app/designer/file_flow.h"
 #include "app/designer/file_watch.h"
 #include "app/designer/folder.h"
+#include "app/designer/frame.h"
 #include "app/designer/image_import.h"
 #include "app/designer/layout.h"
 #include "app/designer/object_chooser.h"
@@ -32,6 +33,7 @@
 #include "app/designer/thumbnails.h"
 #include "app/designer/user_folders.h"
 #include "app/preview/scene.h"
+#include "core/model/live_distribution.h"
 #include "ui/layers_panel.h"
 
 namespace nacre {
@@ -74,10 +76,9 @@ struct Designer {
     bool sheet = false;        // of shortcuts, shown
     ui::LayersView layers;
     std::vector<Preset> presets;
-    Distribution last_shown;  // p of the frame before, ...
-    double changed_at = 0;    // ... when it last changed, seconds on Dear ImGui's clock, ...
-    bool settled = true;      // ... and whether it rests, so that final tables are worth their time
-    std::shared_ptr<const Tables> tables;  // that the preview shows
+    LiveDistribution live;  // that the frame's p comes from
+    Frame frame;            // that is on the screen
+    double changed_at = 0;  // when p last changed, seconds on Dear ImGui's clock
     std::optional<ui::CanvasTool> tool_before_erase;
     AtRest rest;  // what Escape brings back while something is dragged
 };

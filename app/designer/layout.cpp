@@ -23,11 +23,10 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
 // Lies beneath what does not have this flag.
 constexpr ImGuiWindowFlags beneath = ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-struct Column {
-    float left, top, width, height;
-};
+constexpr const char* canvas_window = "CanvasColumn";
+constexpr const char* preview_window = "PreviewColumn";
 
-void draw_column(const char* name, const Column& column, const std::function<void()>& contents) {
+void draw_column(const char* name, const PartBox& column, const std::function<void()>& contents) {
     ImGui::SetNextWindowPos(ImVec2(column.left, column.top));
     ImGui::SetNextWindowSize(ImVec2(column.width, column.height));
     ImGui::Begin(name, nullptr, fixed | beneath);
@@ -36,7 +35,7 @@ void draw_column(const char* name, const Column& column, const std::function<voi
 }
 
 // A column that a picture fills to its edges.
-void draw_picture_column(const char* name, const Column& column, const std::function<void()>& contents) {
+void draw_picture_column(const char* name, const PartBox& column, const std::function<void()>& contents) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     // The session has cleared the window to the canvas's colour: filling it once more takes time in vain.
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::Colour{0, 0, 0, 0});
@@ -50,7 +49,7 @@ void draw_picture_column(const char* name, const Column& column, const std::func
 }
 
 // The border at the left of a picture column: where it is dragged to, or `usual` by a double click.
-std::optional<float> draw_border(const char* name, const Column& column, float usual) {
+std::optional<float> draw_border(const char* name, const PartBox& column, float usual) {
     const float width = std::round(grip_ems * ImGui::GetFontSize());
     ImGui::SetNextWindowPos(ImVec2(column.left, column.top));
     ImGui::SetNextWindowSize(ImVec2(width, column.height));
@@ -96,14 +95,13 @@ float drawer_border(float left, float top, float width) {
     return held ? -ImGui::GetIO().MouseDelta.y : 0;
 }
 
-// Of `height`, which canvas and preview share with the drawer; 0 while it is closed.
-float drawer_height(const Layout& layout, const Parts& parts, float height) {
-    if (!parts.drawer) return 0;
+// Of `height`, which canvas and preview share with the drawer.
+float drawer_height(const Layout& layout, float height) {
     const float size = ImGui::GetFontSize(), most = std::round(height * drawer_max);
     return std::clamp(std::round(layout.drawer * size), std::min(drawer_min * size, most), most);
 }
 
-void draw_drawer(Layout& layout, const Parts& parts, const Column& column) {
+void draw_drawer(Layout& layout, const PartBox& column, const std::function<void()>& contents) {
     ImGui::SetNextWindowPos({column.left, column.top});
     ImGui::SetNextWindowSize({column.width, column.height});
     // In front of the columns, whose own borders would else take the pointer a few pixels below them.
@@ -114,52 +112,78 @@ void draw_drawer(Layout& layout, const Parts& parts, const Column& column) {
     const float up = drawer_border(column.left, column.top, column.width);
     if (up != 0) layout.drawer = std::max((column.height + up) / ImGui::GetFontSize(), drawer_min);
     ImGui::SetCursorScreenPos(corner);
-    parts.drawer();
+    contents();
     ImGui::End();
 }
 
-void draw_columns(Layout& layout, const Parts& parts, ImVec2 window, float top, float height) {
-    const Layout usual;
-    const float em = ImGui::GetFontSize();
-    const float widest = std::max(window.x * panel_max_part, 1.0f);
-    const auto panel_width = [&](float ems) { return std::min(std::round(ems * em), widest); };
-    const float panel = parts.panel ? panel_width(layout.panel) : 0,
-                beside = std::max(window.x - panel, 2.0f);
-    const float width = std::round(beside * std::clamp(layout.canvas, canvas_min, canvas_max));
-    const float below = drawer_height(layout, parts, height), upper = height - below;
-    const Column canvas{panel, top, width, upper};
-    const Column preview{panel + width, top, std::max(beside - width, 1.0f), upper};
-    if (parts.panel) draw_column("Panel", {0, top, panel, height}, parts.panel);
-    draw_picture_column("CanvasColumn", canvas, parts.canvas);
-    draw_picture_column("PreviewColumn", preview, parts.preview);
-    // After the preview, which takes in the newest tables.
-    if (parts.drawer) draw_drawer(layout, parts, {panel, top + upper, beside, below});
-    if (parts.panel)
-        if (const auto x = draw_border("Panel border", canvas, panel_width(usual.panel)))
-            layout.panel = std::clamp(*x / em, panel_min, panel_max);
-    if (const auto x = draw_border("Canvas border", preview, panel + beside * usual.canvas))
-        layout.canvas = std::clamp((*x - panel) / beside, canvas_min, canvas_max);
+// More of a window that has been begun in this frame.
+void draw_more(const char* name, const std::function<void()>& contents) {
+    ImGui::Begin(name, nullptr, fixed | beneath);
+    contents();
+    ImGui::End();
 }
 
-}  // namespace
+float panel_width(float ems, float window) {
+    return std::min(std::round(ems * ImGui::GetFontSize()), std::max(window * panel_max_part, 1.0f));
+}
 
-void draw_layout(Layout& layout, const Parts& parts) {
-    const ImVec2 window = ImGui::GetMainViewport()->Size;
-    const float top = ImGui::GetFrameHeight();
-    const float bottom = ui::status_height();
-    draw_columns(layout, parts, window, top, std::max(window.y - top - bottom, 1.0f));
-
-    ImGui::SetNextWindowPos(ImVec2(0, window.y - bottom));
-    ImGui::SetNextWindowSize(ImVec2(window.x, bottom));
+void draw_status(const PartBox& place, const std::function<void()>& contents) {
+    ImGui::SetNextWindowPos(ImVec2(place.left, place.top));
+    ImGui::SetNextWindowSize(ImVec2(place.width, place.height));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetColorU32(ImGuiCol_MenuBarBg));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                         ImVec2(ImGui::GetStyle().WindowPadding.x, ImGui::GetFontSize() * 0.42f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::Begin("Status", nullptr, fixed | beneath | ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar(2);
-    parts.status();
+    contents();
     ImGui::End();
     ImGui::PopStyleColor();
+}
+
+void draw_borders(Layout& layout, const Places& places) {
+    const Layout usual;
+    const float panel = places.canvas.left, window = places.status.width;
+    const float beside = std::max(window - panel, 2.0f);
+    if (places.panel)
+        if (const auto x = draw_border("Panel border", places.canvas, panel_width(usual.panel, window)))
+            layout.panel = std::clamp(*x / ImGui::GetFontSize(), panel_min, panel_max);
+    if (const auto x = draw_border("Canvas border", places.preview, panel + beside * usual.canvas))
+        layout.canvas = std::clamp((*x - panel) / beside, canvas_min, canvas_max);
+}
+
+}  // namespace
+
+Places place_parts(const Layout& layout, const Shown& shown) {
+    const ImVec2 window = ImGui::GetMainViewport()->Size;
+    const float top = ImGui::GetFrameHeight(), bottom = ui::status_height();
+    const float height = std::max(window.y - top - bottom, 1.0f);
+    const float panel = shown.panel ? panel_width(layout.panel, window.x) : 0;
+    const float beside = std::max(window.x - panel, 2.0f);
+    const float width = std::round(beside * std::clamp(layout.canvas, canvas_min, canvas_max));
+    const float below = shown.drawer ? drawer_height(layout, height) : 0, upper = height - below;
+    Places places{.panel = {},
+                  .drawer = {},
+                  .canvas = {panel, top, width, upper},
+                  .preview = {panel + width, top, std::max(beside - width, 1.0f), upper},
+                  .status = {0, window.y - bottom, window.x, bottom}};
+    if (shown.panel) places.panel = PartBox{0, top, panel, height};
+    if (shown.drawer) places.drawer = PartBox{panel, top + upper, beside, below};
+    return places;
+}
+
+void take_input(const Places& places, const InputParts& parts) {
+    if (places.panel) draw_column("Panel", *places.panel, parts.panel);
+    draw_picture_column(canvas_window, places.canvas, parts.canvas);
+    draw_picture_column(preview_window, places.preview, parts.preview);
+}
+
+void draw_parts(Layout& layout, const Places& places, const DrawnParts& parts) {
+    draw_more(canvas_window, parts.canvas);
+    draw_more(preview_window, parts.preview);
+    if (places.drawer) draw_drawer(layout, *places.drawer, parts.drawer);
+    draw_borders(layout, places);
+    draw_status(places.status, parts.status);
 }
 
 }  // namespace nacre

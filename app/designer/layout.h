@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 namespace nacre {
 
@@ -19,16 +20,34 @@ struct Layout {
     bool operator==(const Layout&) const = default;
 };
 
-struct Parts {
-    std::function<void()> panel;  // empty: hidden
-    std::function<void()> canvas;
-    std::function<void()> preview;
-    std::function<void()> status;
-    std::function<void()> drawer = {};  // empty: closed
+// Left, top and size of a part; pixels.
+struct PartBox {
+    float left, top, width, height;
 };
 
-// Draws each part in a Dear ImGui window of its own. Only a dragged border changes `layout`: a window too
-// small for it shows what fits and gives it back when it grows.
-void draw_layout(Layout& layout, const Parts& parts);
+struct Shown {
+    bool panel, drawer;
+};
+
+// Of this frame.
+struct Places {
+    std::optional<PartBox> panel, drawer;  // where they are shown
+    PartBox canvas, preview, status;
+};
+Places place_parts(const Layout& layout, const Shown& shown);
+
+// Each part is a Dear ImGui window of its own. First the input of this frame does its work in all of them,
+// ...
+struct InputParts {
+    std::function<void()> panel, canvas, preview;
+};
+void take_input(const Places& places, const InputParts& parts);
+
+// ... then what came of it is drawn. Only a dragged border changes `layout`: a window too small for it shows
+// what fits and gives it back when it grows.
+struct DrawnParts {
+    std::function<void()> canvas, preview, drawer, status;
+};
+void draw_parts(Layout& layout, const Places& places, const DrawnParts& parts);
 
 }  // namespace nacre

@@ -9,19 +9,19 @@ constexpr int slice_side_moving = 91, slice_side_resting = 181;  // values along
 
 }  // namespace
 
-void PlotsPane::update() {
+void PlotsPane::update(const std::shared_ptr<const Tables>& tables) {
     PlotSettings wanted = state.settings;
     wanted.slice_side = ImGui::IsAnyMouseDown() ? slice_side_moving : slice_side_resting;
     // What has been drawn finely stays so until it changes.
-    if (settings_.slice_side == slice_side_resting && plotted_ == tables_) {
+    if (settings_.slice_side == slice_side_resting && plotted_ == tables) {
         PlotSettings finely = wanted;
         finely.slice_side = slice_side_resting;
         if (finely == settings_) return;
     }
-    if (plotted_ == tables_ && settings_ == wanted) return;
-    plotted_ = tables_;
+    if (plotted_ == tables && settings_ == wanted) return;
+    plotted_ = tables;
     settings_ = wanted;
-    plot_ = tables_ ? make_plot(*tables_, settings_) : std::nullopt;
+    plot_ = tables ? make_plot(*tables, settings_) : std::nullopt;
     if (!plot_) return;
     if (const auto* slice = std::get_if<SlicePlot>(&plot_->contents)) {
         const PlotPixels pixels = slice_pixels(*slice);
@@ -32,8 +32,9 @@ void PlotsPane::update() {
     }
 }
 
-void PlotsPane::draw(const std::string& name, const std::optional<DialogProgram>& dialogs) {
-    update();
+void PlotsPane::draw(const std::shared_ptr<const Tables>& tables, const std::string& name,
+                     const std::optional<DialogProgram>& dialogs) {
+    update(tables);
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(slice_.name()));
     const ui::PlotsAnswer answer = ui::plots_panel(
         state, {.plot = plot_ ? &*plot_ : nullptr, .waiting = "baking\u2026", .slice = texture});

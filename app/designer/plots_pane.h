@@ -16,24 +16,23 @@ class PlotsPane {
     ui::PlotsState state;
     PlotSaving saving;
 
-    void show(std::shared_ptr<const Tables> tables) { tables_ = std::move(tables); }
-
     // Whether what is shown needs R.
     bool wants_albedo() const { return state.open && needs_albedo(state.settings); }
 
     // Fills the current Dear ImGui window. `name`: what a saved plot's name begins with; `dialogs` asks
     // where.
-    void draw(const std::string& name, const std::optional<DialogProgram>& dialogs);
+    void draw(const std::shared_ptr<const Tables>& tables, const std::string& name,
+              const std::optional<DialogProgram>& dialogs);
 
     // What is under the pointer, as it was drawn last.
     const std::optional<PlotReading>& reading() const { return reading_; }
     const std::optional<Plot>& plot() const { return plot_; }
 
   private:
-    void update();
+    void update(const std::shared_ptr<const Tables>& tables);
 
-    std::shared_ptr<const Tables> tables_, plotted_;
-    PlotSettings settings_;  // that plot_ is for
+    std::shared_ptr<const Tables> plotted_;  // that plot_ is for, ...
+    PlotSettings settings_;                  // ... and how
     std::optional<Plot> plot_;
     Texture slice_;
     std::optional<PlotReading> reading_;

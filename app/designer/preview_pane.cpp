@@ -32,11 +32,6 @@ constexpr double degrees_per_pixel = 0.4;  // of a drag that turns the surroundi
 
 }  // namespace
 
-void PreviewPane::show(std::shared_ptr<const Tables> tables) {
-    preview_.set(std::move(tables));
-    stale_ = true;
-}
-
 RenderedImage PreviewPane::picture(const Scene& scene, glm::ivec2 size, bool linear) {
     stale_ = true;  // it is drawn where the pane's own picture was
     return picture_of(preview_, scene, size, linear);
@@ -47,63 +42,86 @@ void PreviewPane::show_side(int side, const std::optional<ComparedSurface>& surf
     stale_ = true;
 }
 
-void PreviewPane::handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsItemActive()) {
-        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-            if (left_is_taken) return;
-            if (!lights_shine(scene)) {
-                // What is reflected follows the pointer: it stands before the object.
-                double& rotation = scene.environment.rotation;
-                rotation = std::remainder(rotation - static_cast<double>(io.MouseDelta.x) * degrees_per_pixel,
-                                          360.0);
-                return;
-            }
-            const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
-            move_light_to(scene, preview_.surface(scene, {int(size.x), int(size.y)}), pixel);
-        } else {
-            orbit(scene, {io.MouseDelta.x, io.MouseDelta.y});
-        }
-    }
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoom(scene, static_cast<double>(io.MouseWheel));
+std::optional<glm::dvec3> PreviewPane::normal_at(const Scene& scene, glm::dvec2 pixel) {
+    return half_vector(scene, preview_.surface(scene, {int(size_.x), int(size_.y)}), pixel);
 }
 
-void PreviewPane::draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool) {
-    const ImVec2 size = ImGui::GetContentRegionAvail();
-    if (size.x < 1 || size.y < 1) return;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (look.view == ui::CompareView::divider) ui::divider_handle(look.divider, corner, size);
+std::optional<ui::BrushSurface> PreviewPane::point(const Scene& scene) {
+    size_ = ImGui::GetContentRegionAvail();
+    pointed_at_.reset();
+    if (size_.x < 1 || size_.y < 1) return {};
+    corner_ = ImGui::GetCursorScreenPos();
+    if (look.view == ui::CompareView::divider) ui::divider_handle(look.divider, corner_, size_);
     constexpr ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft |
                                          ImGuiButtonFlags_MouseButtonRight |
                                          ImGuiButtonFlags_MouseButtonMiddle;
-    ImGui::InvisibleButton("Preview", size, buttons);
+    ImGui::InvisibleButton("Preview", size_, buttons);
     ui::note_item("Preview");
-    const bool taken = work(scene, corner, size, tool);
-    handle_mouse(scene, corner, size, taken);
-    if (preview_.empty()) return;
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    redraw_if_needed(scene, {int(size.x * scale.x), int(size.y * scale.y)});
-    compared_.paint(preview_, look, corner, size);
-    if (glow && lights_shine(scene)) draw_glow(scene, *glow, radius, corner, size);
-    draw_marks(scene, corner, size);
-    draw_progress(corner, size);
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 pixel(io.MousePos.x - corner_.x, io.MousePos.y - corner_.y);
+    // While the camera turns, what lies under the pointer is not read back in each frame.
+    const bool turning = ImGui::IsItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (ImGui::IsItemHovered() && !turning) pointed_at_ = normal_at(scene, pixel);
+    if (io.KeyShift && !tool_works_) return {};
+    return ui::BrushSurface{.surface = ui::Surface::sphere,
+                            .hovered = ImGui::IsItemHovered(),
+                            .active = ImGui::IsItemActive(),
+                            .pointed_at = pointed_at_,
+                            .pixel = pixel,
+                            .normal = [this, &scene](glm::dvec2 at) { return normal_at(scene, at); }};
 }
 
-void PreviewPane::draw_progress(ImVec2 corner, ImVec2 size) const {
+void PreviewPane::work(Scene& scene, bool taken) {
+    if (size_.x < 1 || size_.y < 1) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    // A drag that began as the tool's stays so, and one that began with the light moves the light.
+    if (ImGui::IsItemActivated()) tool_works_ = taken && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (!ImGui::IsItemActive()) tool_works_ = false;
+    if (ImGui::IsItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        orbit(scene, {io.MouseDelta.x, io.MouseDelta.y});
+    } else if (ImGui::IsItemActive() && !tool_works_ && lights_shine(scene)) {
+        const glm::dvec2 pixel(io.MousePos.x - corner_.x, io.MousePos.y - corner_.y);
+        move_light_to(scene, preview_.surface(scene, {int(size_.x), int(size_.y)}), pixel);
+    } else if (ImGui::IsItemActive() && !tool_works_) {
+        // What is reflected follows the pointer: it stands before the object.
+        double& rotation = scene.environment.rotation;
+        rotation = std::remainder(rotation - static_cast<double>(io.MouseDelta.x) * degrees_per_pixel, 360.0);
+    }
+    if (ImGui::IsItemHovered() && !tool_works_ && io.MouseWheel != 0)
+        zoom(scene, static_cast<double>(io.MouseWheel));
+}
+
+void PreviewPane::draw(const std::shared_ptr<const Tables>& tables, const Scene& scene,
+                       const std::optional<glm::dvec3>& glow, double radius) {
+    if (tables != shown_) {
+        preview_.set(tables);
+        shown_ = tables;
+        stale_ = true;
+    }
+    if (size_.x < 1 || size_.y < 1 || preview_.empty()) return;
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    redraw_if_needed(scene, {int(size_.x * scale.x), int(size_.y * scale.y)});
+    compared_.paint(preview_, look, corner_, size_);
+    if (glow && lights_shine(scene)) draw_glow(scene, *glow, radius);
+    draw_marks(scene);
+    draw_progress();
+}
+
+void PreviewPane::draw_progress() const {
     const GatherProgress progress = compared_.progress(preview_, look);
     if (progress.goal == 0) return;
     const std::string text =
         fmt::format("environment {} of {}", std::min(progress.samples, progress.goal), progress.goal);
     const float margin = 0.7f * ImGui::GetFontSize();
     ImGui::GetWindowDrawList()->AddText(
-        ImVec2(corner.x + margin, corner.y + size.y - margin - ImGui::GetFontSize()),
+        ImVec2(corner_.x + margin, corner_.y + size_.y - margin - ImGui::GetFontSize()),
         ImGui::GetColorU32(ui::palette::text_dim), text.c_str());
 }
 
 // The divider, the names of the sides and the scale of a factor.
-void PreviewPane::draw_marks(const Scene& scene, ImVec2 corner, ImVec2 size) {
-    if (look.view == ui::CompareView::divider) ui::draw_divider(look.divider, corner, size);
-    if (look.view != ui::CompareView::off) ui::side_labels(look.labels[0], look.labels[1], corner, size);
+void PreviewPane::draw_marks(const Scene& scene) {
+    if (look.view == ui::CompareView::divider) ui::draw_divider(look.divider, corner_, size_);
+    if (look.view != ui::CompareView::off) ui::side_labels(look.labels[0], look.labels[1], corner_, size_);
     if (!is_factor(scene.term) || look.view == ui::CompareView::difference) return;
     const FactorScale scale = preview_.shown_scale();
     const ScaleEnds ends = ends_in_words(scene.term, scale);
@@ -115,41 +133,17 @@ void PreviewPane::draw_marks(const Scene& scene, ImVec2 corner, ImVec2 size) {
                               const glm::u8vec3 c = colour_of(scale, static_cast<double>(t));
                               return IM_COL32(c.x, c.y, c.z, 255);
                           }},
-                     corner, size);
+                     corner_, size_);
 }
 
-// What the pointer on the object means to the canvas's tool. Returns whether the left button is the tool's.
-bool PreviewPane::work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const auto normal = [&](glm::dvec2 pixel) {
-        return half_vector(scene, preview_.surface(scene, {int(size.x), int(size.y)}), pixel);
-    };
-    const glm::dvec2 pixel(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
-    const bool hovered = ImGui::IsItemHovered();
-    // While the camera turns, what lies under the pointer is not read back in each frame.
-    const bool turning = ImGui::IsItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    pointed_at_ = hovered && !turning ? normal(pixel) : std::nullopt;
-    if (io.KeyShift && !tool_works_) return false;
-    const bool taken = tool({.surface = ui::Surface::sphere,
-                             .hovered = hovered,
-                             .active = ImGui::IsItemActive(),
-                             .pointed_at = pointed_at_,
-                             .pixel = pixel,
-                             .normal = normal});
-    // A drag that began as the tool's stays so, and one that began with the light moves the light.
-    if (ImGui::IsItemActivated()) tool_works_ = taken && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (!ImGui::IsItemActive()) tool_works_ = false;
-    return tool_works_;
-}
-
-void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size) {
+void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius) {
     const Glow glow =
-        glow_of(scene, preview_.surface(scene, {int(size.x), int(size.y)}), h, radius, glow_divisor);
+        glow_of(scene, preview_.surface(scene, {int(size_.x), int(size_.y)}), h, radius, glow_divisor);
     glow_.store(glow.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, glow.rgba.data(), GL_LINEAR);
     const glm::vec2 covered(glow.size * glow_divisor);
     ImGui::GetWindowDrawList()->AddImage(
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(glow_.name())), corner,
-        ImVec2(corner.x + covered.x, corner.y + covered.y));
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(glow_.name())), corner_,
+        ImVec2(corner_.x + covered.x, corner_.y + covered.y));
 }
 
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {

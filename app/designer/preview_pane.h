@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -21,8 +20,6 @@ namespace nacre {
 // Needs a current OpenGL 3.3 context from its beginning to its end.
 class PreviewPane {
   public:
-    void show(std::shared_ptr<const Tables> tables);
-
     // What stands at a side of a comparison (0: left); without a surface, the present design.
     void show_side(int side, const std::optional<ComparedSurface>& surface);
 
@@ -30,12 +27,18 @@ class PreviewPane {
     CompareLook look;
     const std::optional<DifferenceNumbers>& difference() const { return compared_.numbers(); }
 
-    // Fills the current Dear ImGui window. Left drag moves the light, right or middle drag orbits, the
-    // wheel zooms. Draws anew only what changed.
-    // `glow` is a normal whose facets' light shines out, for about `radius` degrees around it.
-    // `tool` takes the left button where it says so; with Shift the light moves all the same.
-    using Tool = std::function<bool(const ui::BrushSurface&)>;
-    void draw(Scene& scene, const std::optional<glm::dvec3>& glow, double radius, const Tool& tool);
+    // Fills the current Dear ImGui window. Returns what the pointer on the object means to a tool; nothing
+    // where the window has no room or Shift keeps the tools away.
+    std::optional<ui::BrushSurface> point(const Scene& scene);
+
+    // To be called after point(). Left drag moves the light, unless a tool has taken what the pointer does;
+    // right or middle drag orbits, the wheel zooms.
+    void work(Scene& scene, bool taken);
+
+    // Draws into the window, anew only what changed. `glow` is a normal whose facets' light shines out, for
+    // about `radius` degrees around it.
+    void draw(const std::shared_ptr<const Tables>& tables, const Scene& scene,
+              const std::optional<glm::dvec3>& glow, double radius);
 
     // The normal of the facets that light the pixel under the pointer.
     const std::optional<glm::dvec3>& pointed_at() const { return pointed_at_; }
@@ -59,21 +62,22 @@ class PreviewPane {
     const SurfaceImage& surface(const Scene& scene, glm::ivec2 size) { return preview_.surface(scene, size); }
 
   private:
-    void handle_mouse(Scene& scene, ImVec2 corner, ImVec2 size, bool left_is_taken);
-    bool work(const Scene& scene, ImVec2 corner, ImVec2 size, const Tool& tool);
-    void draw_marks(const Scene& scene, ImVec2 corner, ImVec2 size);
-    void draw_glow(const Scene& scene, glm::dvec3 h, double radius, ImVec2 corner, ImVec2 size);
+    std::optional<glm::dvec3> normal_at(const Scene& scene, glm::dvec2 pixel);
+    void draw_marks(const Scene& scene);
+    void draw_glow(const Scene& scene, glm::dvec3 h, double radius);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);
     enum class Pace { moving, resting, insisting };
 
     void redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace);
     void measured_draw(const Scene& scene, glm::ivec2 texels, int supersample);
     void gather(const Scene& scene, glm::ivec2 texels, int supersample, Pace pace);
-    void draw_progress(ImVec2 corner, ImVec2 size) const;
+    void draw_progress() const;
 
     Preview preview_;
+    std::shared_ptr<const Tables> shown_;  // by preview_
     ComparedPictures compared_;
     Texture glow_;
+    ImVec2 corner_{0, 0}, size_{0, 0};  // of the picture in this frame
     std::optional<glm::dvec3> pointed_at_;
     bool tool_works_ = false;  // the held button is the tool's
     bool insist_on_best_ = false;

@@ -46,7 +46,7 @@ void HeadlessDesigner::play(const EventScript& script) {
 void HeadlessDesigner::wait_for_bake() {
     do {
         frame(false);  // submits what the last input changed
-    } while (!designer_->settled);
+    } while (!designer_->frame.settled);
     designer_->objects.wait();
     frame(false);  // an object that has been made is taken
     designer_->baker.wait();

@@ -44,7 +44,7 @@ struct Run {
 template <class Move, class Drawn>
 Run hold_button(nacre::HeadlessDesigner& stage, double seconds, const Move& move, const Drawn& drawn) {
     Run run;
-    auto shown = stage.designer().tables;
+    auto shown = stage.designer().frame.tables;
     const auto begin = Clock::now();
     auto next = begin;
     while (Clock::now() - begin < std::chrono::duration<double>(seconds)) {
@@ -53,7 +53,7 @@ Run hold_button(nacre::HeadlessDesigner& stage, double seconds, const Move& move
         stage.frame();
         glFinish();
         drawn(start, run);
-        if (const auto& now = stage.designer().tables; now != shown) {
+        if (const auto& now = stage.designer().frame.tables; now != shown) {
             ++(now->quality == nacre::Quality::final ? run.finals : run.drafts);
             shown = now;
         }

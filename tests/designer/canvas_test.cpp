@@ -111,7 +111,7 @@ TEST_CASE("canvas: balance brings the mean normal to n in one step, or tells why
     r.document().commit();
     const Design before = r.document().design;
     r.play("frames 2\nclick \"Paint\"\nframes 2\nclick \"Balance\"\nframes 2");
-    const dvec3 mean = r.canvas().mean.value();
+    const dvec3 mean = r.designer().frame.p->mean();
     CHECK(std::hypot(mean.x, mean.y) < 1e-9);
     CHECK(!r.canvas().refusal);
     const Design balanced = r.document().design;
@@ -166,12 +166,12 @@ TEST_CASE("canvas: a layer shown alone is what is shown and baked") {
     r.document().commit();
     const Design before = r.document().design;
     r.play("click \"Layer 2 solo\"\nwait");
-    REQUIRE(r.stage.designer().canvas.distribution());
-    CHECK(r.stage.designer().canvas.distribution()->lobes().size() == 1);
+    REQUIRE(r.stage.designer().frame.p);
+    CHECK(r.stage.designer().frame.p->lobes().size() == 1);
     CHECK(r.document().design == before);
     CHECK(!r.document().history.can_redo());
     r.play("click \"Layer 2 solo\"\nwait");
-    CHECK(r.stage.designer().canvas.distribution()->lobes().size() == 2);
+    CHECK(r.stage.designer().frame.p->lobes().size() == 2);
 }
 
 TEST_CASE("canvas: a place on the hemisphere is the canvas's alone") {

@@ -25,7 +25,7 @@ TEST_CASE("compare: a snapshot stays as it was and comes back in one step of und
     REQUIRE(r.comparison().snapshots().size() == 1);
     const Design before = r.document().design;
     CHECK(r.comparison().snapshots()[0].design == before);
-    CHECK(r.comparison().snapshots()[0].tables == r.designer().tables);
+    CHECK(r.comparison().snapshots()[0].tables == r.designer().frame.tables);
     CHECK(!r.document().unsaved());
     r.play("click \"Layers\"\nframes 2\ndrag \"Width x\":0.5 \"Width x\":0.8 5");
     const Design edited = r.document().design;

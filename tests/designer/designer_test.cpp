@@ -65,11 +65,11 @@ TEST_CASE("designer: every edit brings new tables") {
     Rig r;
     r.play("wait");
     CHECK(r.stage.designer().preview.has_picture());
-    const auto first = r.designer().tables;
+    const auto first = r.designer().frame.tables;
     CHECK(first->quality == Quality::final);
     r.play("drag \"Width x\":0.5 \"Width x\":0.1 5\nwait");
-    CHECK(r.designer().tables != first);
-    CHECK(r.designer().tables->quality == Quality::final);
+    CHECK(r.designer().frame.tables != first);
+    CHECK(r.designer().frame.tables->quality == Quality::final);
     CHECK(r.stage.designer().baker.problem().empty());
 }
 

@@ -196,14 +196,14 @@ TEST_CASE("sphere: a painted highlight grabbed and dragged by 20 degrees moves b
 TEST_CASE("probe: what is pointed at on one side is known on the other") {
     Rig r;
     r.play("wait\nmove \"Preview\":0.5,0.5\nframes 2");
-    REQUIRE(r.designer().canvas.state.marked);
-    const dvec3 h = *r.designer().canvas.state.marked;
+    REQUIRE(r.designer().preview.pointed_at());
+    const dvec3 h = *r.designer().preview.pointed_at();
     const glm::vec4 box = r.box("Preview");
     const auto expected =
         r.half_vector_at({std::floor((box.z - box.x) / 2), std::floor((box.w - box.y) / 2)});
     CHECK(glm::length(h - *expected) < 0.02);
     r.play("move \"Canvas\":@25,140\nframes 2");
-    CHECK(!r.designer().canvas.state.marked);
+    CHECK(!r.designer().preview.pointed_at());
     REQUIRE(r.designer().canvas.pointed_at());
     CHECK(r.designer().canvas.pointed_at()->z ==
           doctest::Approx(std::cos(25 * 3.14159265 / 180)).epsilon(0.01));

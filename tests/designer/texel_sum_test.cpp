@@ -14,8 +14,8 @@ TEST_CASE(
     const auto check = [&] {
         r.play("frames 2");
         REQUIRE(r.layers().size() == 1);
-        REQUIRE(r.designer().canvas.distribution());
-        test::check_texel_sums(*r.designer().canvas.distribution(), r.layers()[0]);
+        REQUIRE(r.designer().frame.p);
+        test::check_texel_sums(*r.designer().frame.p, r.layers()[0]);
         test::check_texel_sums(FacetDistribution(r.document().design.distribution), r.layers()[0]);
     };
     r.play("click \"New painted layer\"\ndrag \"Canvas\":@20,10 \"Canvas\":@60,80 6\nframes 30");
@@ -30,7 +30,7 @@ TEST_CASE(
     r.play("click \"Balance\"");
     CHECK(r.document().design != before);
     check();
-    CHECK(std::hypot(r.canvas().mean->x, r.canvas().mean->y) < 1e-9);
+    CHECK(std::hypot(r.designer().frame.p->mean().x, r.designer().frame.p->mean().y) < 1e-9);
     r.play("key Ctrl+Z");
     CHECK(r.document().design == before);
     check();
