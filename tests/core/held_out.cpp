@@ -95,8 +95,10 @@ HeldOutError held_out_albedo(const Design& design, const Tables& tables,
     const auto by_rule = in_order(directions, [&](dvec3 k) {
         return albedo_error(tables.shading, k, rule(k, tables.distribution->projected_area(k)), channels);
     });
+    for (const PlacedLobe& placed : tables.distribution->lobes())
+        if (placed.lobe->spans().empty()) return by_rule.front();
     const Reference reference(design);
-    const CloseAlbedo exact_albedo(reference, 1e-6);
+    const CloseAlbedo exact_albedo(reference, tables.tolerance / 100);
     HeldOutError result;
     for (const HeldOutError& likely : by_rule) {
         if (likely.worst <= result.worst) break;

@@ -22,7 +22,7 @@ struct HeldOutError {
 HeldOutError held_out_area(const Tables& tables, const std::vector<dvec3>& directions);
 
 // Of the tables' R: the bake's quadrature at a fortieth of the tolerance says where it may be worst, adaptive
-// integration what it is there.
+// integration what it is there, unless a picture takes part, whose facets the quadrature sums.
 HeldOutError held_out_albedo(const Design& design, const Tables& tables,
                              const std::vector<dvec3>& directions);
 
