@@ -112,7 +112,7 @@ TEST_CASE("labels: stamps of a user") {
         state.stamp = state.stamps.size() - 1;
         Distribution distribution;
         std::size_t chosen = 0;
-        PanelRig rig([&] { ui::canvas_toolbar(state, distribution, chosen); });
+        PanelRig rig([&] { ui::canvas_toolbar(state, {}, distribution, chosen); });
         rig.click("Stamp picture");
         rig.move("Brush radius");
         rig.frame(2);

@@ -163,7 +163,7 @@ TEST_CASE("slider: those of the brush") {
     ui::CanvasState state;
     Distribution distribution;
     std::size_t chosen = 0;
-    PanelRig rig([&] { ui::canvas_toolbar(state, distribution, chosen); });
+    PanelRig rig([&] { ui::canvas_toolbar(state, {}, distribution, chosen); });
     state.tool = ui::CanvasTool::paint;
     state.symmetry.kind = SymmetryKind::turns;
     const Brush usual;
