@@ -14,8 +14,10 @@ namespace {
 
 #if !NACRE_KEYS_HAVE_NAMES
 constexpr ImGuiKey ImGuiKey_None = -1, ImGuiKey_KeypadEnter = ImGuiKey_KeyPadEnter;
-constexpr ImGuiKey ImGuiKey_F1 = ImGuiKey_None, ImGuiKey_F2 = ImGuiKey_None, ImGuiKey_F11 = ImGuiKey_None,
-                   ImGuiKey_F12 = ImGuiKey_None;
+constexpr ImGuiKey ImGuiKey_F1 = ImGuiKey_None, ImGuiKey_F2 = ImGuiKey_None, ImGuiKey_F3 = ImGuiKey_None,
+                   ImGuiKey_F4 = ImGuiKey_None, ImGuiKey_F5 = ImGuiKey_None, ImGuiKey_F6 = ImGuiKey_None,
+                   ImGuiKey_F7 = ImGuiKey_None, ImGuiKey_F8 = ImGuiKey_None, ImGuiKey_F9 = ImGuiKey_None,
+                   ImGuiKey_F10 = ImGuiKey_None, ImGuiKey_F11 = ImGuiKey_None, ImGuiKey_F12 = ImGuiKey_None;
 #endif
 
 struct NamedKey {
@@ -42,6 +44,14 @@ constexpr NamedKey named_keys[] = {
     {"Space", ' ', ImGuiKey_Space},
     {"F1", 290, ImGuiKey_F1},
     {"F2", 291, ImGuiKey_F2},
+    {"F3", 292, ImGuiKey_F3},
+    {"F4", 293, ImGuiKey_F4},
+    {"F5", 294, ImGuiKey_F5},
+    {"F6", 295, ImGuiKey_F6},
+    {"F7", 296, ImGuiKey_F7},
+    {"F8", 297, ImGuiKey_F8},
+    {"F9", 298, ImGuiKey_F9},
+    {"F10", 299, ImGuiKey_F10},
     {"F11", 300, ImGuiKey_F11},
     {"F12", 301, ImGuiKey_F12},
     {"KeypadEnter", 335, ImGuiKey_KeypadEnter},

@@ -24,7 +24,7 @@ struct ScreenshotVerbOptions {
 // Of the script, also those that are dropped in it.
 std::vector<fs::path> inputs(const ScreenshotVerbOptions& options, const ScreenshotOptions& wanted) {
     std::vector<fs::path> files;
-    if (wanted.design) files = files_of(*wanted.design, options.design);
+    if (wanted.document) files = files_of(wanted.document->design, options.design);
     if (!options.script.empty()) files.emplace_back(options.script);
     for (const Event& event : wanted.script.events)
         if (const auto* const drop = std::get_if<events::Drop>(&event.what)) files.emplace_back(drop->file);
@@ -35,10 +35,12 @@ int take_screenshot(const ScreenshotVerbOptions& options, Interrupt& interrupt) 
     if (image_format(options.output.named()) != ImageFormat::png)
         throw UserError(options.output.file, "write", "a screenshot is a .png file");
     ScreenshotOptions wanted{
-        .design = {}, .file = {}, .script = {}, .size = options.size, .ui_scale = options.ui_scale};
+        .document = {}, .script = {}, .size = options.size, .ui_scale = options.ui_scale};
     if (!options.script.empty()) wanted.script = parse_events(read_text_file(options.script), options.script);
-    if (!options.design.empty()) wanted.design = read_design(options.design);
-    if (options.design != stream_name) wanted.file = options.design;
+    if (options.design == stream_name)
+        wanted.document = Document(read_design(options.design));
+    else if (!options.design.empty())
+        wanted.document = read_document(options.design);
     check_outputs(options.output.outputs(), inputs(options, wanted));
     const Screenshot picture = screenshot(wanted);
     write_file_or_output(options.output.file, text_of(png_bytes(picture.size, picture.rgba)), interrupt);

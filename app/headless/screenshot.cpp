@@ -13,7 +13,7 @@ Screenshot screenshot(const ScreenshotOptions& options) {
 }
 
 Screenshot screenshot(const ScreenshotOptions& options, HeadlessDesigner& stage) {
-    if (options.design) stage.designer().document = Document(*options.design, options.file);
+    if (options.document) stage.designer().document = *options.document;
     // Dear ImGui hides a window that sizes itself in its first frame.
     stage.frame(false);
     stage.frame(false);

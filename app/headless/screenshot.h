@@ -2,21 +2,19 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
+#include "app/designer/document.h"
 #include "app/headless/event_script.h"
 #include "app/headless/stage.h"
-#include "core/design/design.h"
 
 namespace nacre {
 
 struct ScreenshotOptions {
-    std::optional<Design> design;  // none: a new one
-    std::filesystem::path file;    // that it was read from
-    EventScript script;            // events to play first
+    std::optional<Document> document;  // none: a new one
+    EventScript script;                // events to play first
     glm::ivec2 size{1280, 800};
     float ui_scale = 1;
 };

@@ -47,7 +47,8 @@ std::ptrdiff_t place(float x, float y) {
 std::vector<float> picture_of(const State& state) {
     ScreenshotOptions options;
     if (*state.preset)
-        options.design = load_design(std::string(NACRE_SOURCE_DIR "/presets/") + state.preset + ".nacre");
+        options.document =
+            Document(load_design(std::string(NACRE_SOURCE_DIR "/presets/") + state.preset + ".nacre"));
     options.script = parse_events(state.script, state.name);
     HeadlessDesigner stage({.size = options.size, .bake_threads = 2});
     const Screenshot shot = screenshot(options, stage);
