@@ -132,11 +132,13 @@ std::uint64_t examine_plain(const Surface& surface, Examined& found) {
 void examine_dds(const FileBytes& file, Examined& found) {
     constexpr std::uint64_t cube = 0x200, volume = 0x200000, side_max = 1u << 24;
     Surface surface{file.read(0, header_size)};
+    std::size_t whole = header_size;
+    if (surface.header.size() == whole && (surface.kind() & code_flag) != 0 && surface.code() == "DX10") {
+        whole += header_size_dx10;
+        surface.header = file.read(0, whole);
+    }
+    if (surface.header.size() != whole) throw PictureProblem("the DDS file is cut short");
     const bool has_blocks = (surface.kind() & code_flag) != 0;
-    if (has_blocks && surface.code() == "DX10") surface.header = file.read(0, header_size + header_size_dx10);
-    if (surface.header.size() !=
-        header_size + (has_blocks && surface.code() == "DX10" ? header_size_dx10 : 0))
-        throw PictureProblem("the DDS file is cut short");
     if (surface.field(4) != header_size - 4 || surface.field(76) != 32 || surface.width() < 1 ||
         surface.height() < 1 || surface.width() > side_max || surface.height() > side_max)
         throw PictureProblem("the DDS file's header describes no picture");

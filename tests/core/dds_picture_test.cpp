@@ -142,8 +142,11 @@ TEST_CASE("dds picture: what the file does not hold, and what is not flat") {
     CHECK(has(read.refusal({.pixels = two_bgr, .more = 0x200}), "a cube map"));
     CHECK(has(read.refusal({.pixels = two_bgr, .depth = 5, .capabilities = 0x1008, .more = 0x200000}),
               "several layers"));
-    write_all(read.folder / "header.dds", Dds{}.bytes().substr(0, 100));
-    CHECK(has(user_error_of([&] { load_colours(read.folder / "header.dds"); }), "cut short"));
+    const std::string blocks = Dds{.kind = code, .pixels = std::string(16, ' '), .name = "DXT5"}.bytes();
+    for (std::size_t length = 4; length < 128; ++length) {
+        write_all(read.folder / "header.dds", blocks.substr(0, length));
+        CHECK(has(user_error_of([&] { load_colours(read.folder / "header.dds"); }), "cut short"));
+    }
 }
 
 TEST_SUITE_END();
