@@ -7,19 +7,19 @@
 namespace nacre {
 namespace {
 
-// Ids of the choices: the present design, the comparison_models in their order, then snapshots as they are
+// Ids of the choices: the present design, the comparison models in their order, then snapshots as they are
 // taken.
-constexpr int present_id = 0, first_opponent = 1, first_snapshot = 100;
+constexpr int present_id = 0, first_model = 1, first_snapshot = 100;
 
 std::optional<ComparisonModel> opponent_of(int id) {
     const std::vector<ComparisonModel> all = all_comparison_models();
-    const int index = id - first_opponent;
+    const int index = id - first_model;
     if (index < 0 || index >= static_cast<int>(all.size())) return {};
     return all[static_cast<std::size_t>(index)];
 }
 
 int id_of(const ComparisonModel& wanted) {
-    int id = first_opponent;
+    int id = first_model;
     while (*opponent_of(id) != wanted) ++id;
     return id;
 }
@@ -92,7 +92,7 @@ std::vector<ui::SideChoice> Comparison::choices(const Scene& scene) const {
     std::vector<ui::SideChoice> all = {{present_id, "Now", "The design as it is edited."}};
     for (const Snapshot& snapshot : snapshots_)
         all.push_back({snapshot.id, title_of(snapshot), "As it was when this snapshot was taken."});
-    int id = first_opponent;
+    int id = first_model;
     for (const ComparisonModel& comparison_model : all_comparison_models()) {
         const bool model = is_model(id);
         std::string about = citation_of(comparison_model) + ".\n";

@@ -265,7 +265,7 @@ void draw_frame(Designer& designer) {
 
 bool in_motion(const Designer& designer) {
     return !designer.frame.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
-           designer.plots.saving.in_motion() || designer.preview.environment_accumulator() ||
+           designer.plots.saving.in_motion() || designer.preview.accumulating() ||
            designer.files.has_answer() || designer.exporter.in_motion() ||
            designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();
 }

@@ -193,7 +193,7 @@ void PreviewPane::gather(const Scene& scene, glm::ivec2 texels, int supersample,
     do {
         compared_.refine(preview_, gather_seconds, look);
     } while ((pace == Pace::moving && compared_.progress(preview_, look).samples == 0) ||
-             (pace == Pace::insisting && environment_accumulator()));
+             (pace == Pace::insisting && accumulating()));
 }
 
 void PreviewPane::measured_draw(const Scene& scene, glm::ivec2 texels, int supersample) {

@@ -53,7 +53,7 @@ class PreviewPane {
     bool has_picture() const { return !preview_.empty(); }
 
     // The picture still gathers the light of its surroundings: it differs from frame to frame.
-    bool environment_accumulator() const {
+    bool accumulating() const {
         const GatherProgress progress = compared_.progress(preview_, look);
         return progress.samples < progress.goal;
     }

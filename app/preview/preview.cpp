@@ -198,7 +198,7 @@ void Preview::refine(double seconds) {
     do {
         const double before = passed.seconds();
         const double done = gather(std::max(gathers_a_second_ * (seconds - before), least_gathered));
-        glFinish();  // the time that environment_accumulator takes decides how much of it fits
+        glFinish();  // the time that accumulating takes decides how much of it fits
         gathers_a_second_ = done / std::max(passed.seconds() - before, 1e-6);
     } while (gathering_.samples() < frame_.goal && passed.seconds() < 0.7 * seconds);
     if (gathering_.samples() > 0) develop_as_seen();

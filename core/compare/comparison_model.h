@@ -29,7 +29,7 @@ struct ComparedSurface {
     std::shared_ptr<const ClosedForm> model;  // null: the design itself
 };
 
-// The design's comparison_model, or without one the design. Errors and cancelling as Baker::bake().
+// The comparison model of the design, or without one the design. Errors and cancelling as Baker::bake().
 ComparedSurface bake_for_comparison(Baker& baker, Design design,
                                     const std::optional<ComparisonModel>& comparison_model,
                                     BakeOptions options = {}, std::stop_token stop = {},

@@ -1,6 +1,8 @@
 // Reference::albedo() where p lies in a small part of its picture.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "core/bake/albedo.h"
 #include "core/model/disk.h"
 #include "core/model/polar_angles.h"
@@ -48,5 +50,17 @@ TEST_CASE("exact R of a single texel is that of its own facets, however few of t
         CAPTURE(theta);
         const dvec3 k = polar_direction(theta, 17);
         CHECK(reference.albedo(k)[0] == doctest::Approx(albedo_by_midpoints(reference, k)).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("exact R of a single texel keeps its bounds on directions that no bound was chosen by") {
+    const Reference reference(one_texel());
+    for (int i = 0; i < 24; ++i) {
+        const double part = std::fmod(0.25 + i * 0.7548776662466927, 1.0);
+        const bool grazes = i % 2 == 1;
+        const double theta = grazes ? 87 + 2.999 * part : 87 * part;
+        CAPTURE(theta);
+        const dvec3 k = polar_direction(theta, 50 + 137.5 * i);
+        CHECK(std::fabs(reference.albedo(k)[0] - albedo_by_midpoints(reference, k)) < (grazes ? 5e-3 : 5e-5));
     }
 }

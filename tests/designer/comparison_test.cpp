@@ -69,7 +69,7 @@ TEST_CASE("compare: the present design differs from its snapshot by nothing unti
     CHECK(r.designer().preview.difference()->largest > 0.01);
 }
 
-TEST_CASE("compare: each comparison_model can be chosen and is baked without a wait of the interface") {
+TEST_CASE("compare: each comparison model can be chosen and is baked without a wait of the interface") {
     Rig r;
     r.layers()[0].lobe = GaussianLobe{0.8, 0.8};  // rough, so that maskings differ
     r.play("wait\nclick \"Compare\"\nframes 2");

@@ -48,7 +48,7 @@ TEST_CASE("environment: the window is in motion while its picture grows, and res
     r.designer().environment.want("furnace");
     CHECK(in_motion(r.designer()));
     r.play("wait\nframes 20");
-    CHECK(r.designer().preview.environment_accumulator());
+    CHECK(r.designer().preview.accumulating());
     CHECK(in_motion(r.designer()));
     r.surroundings().picture.reset();
     r.play("wait\nframes 20");
