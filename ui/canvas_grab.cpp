@@ -67,7 +67,7 @@ bool grab_layers(CanvasState& state, const BrushSurface& surface, const FacetDis
 bool use_tool(CanvasState& state, const BrushSurface& surface, const FacetDistribution* seen,
               Distribution& distribution, std::size_t& chosen) {
     return state.tool == CanvasTool::grab ? grab_layers(state, surface, seen, distribution, chosen)
-                                          : paint_layers(state, surface, distribution, chosen);
+                                          : paint_layers(state, surface, seen, distribution, chosen);
 }
 
 }  // namespace nacre::ui

@@ -55,14 +55,23 @@ void label_spoke(const CanvasFrame& frame, int phi, double end) {
     label(frame, {at.x + x / length * gap, at.y + y / length * gap}, name, palette::text_dim);
 }
 
-}  // namespace
+// Of a highlight only what tells middle and rim.
+void draw_highlight_grid(const CanvasFrame& frame, float width) {
+    const double end = frame.view.camera().below ? 179.99 : 90;
+    for (const double theta : {30.0, 60.0}) ring(frame, theta, faint, width);
+    for (int phi = 0; phi < 360; phi += 90)
+        draw_path(
+            frame, [&](double t) { return polar_direction(t * end, phi); }, steps / 2,
+            ImGui::GetColorU32(faint), width);
+    ring(frame, 90, rim, 1.4f * width);
+    if (end > 90 && !frame.view.camera().dome) ring(frame, end, plain, width);
+}
 
-void draw_grid(const CanvasFrame& frame) {
+void draw_facet_grid(const CanvasFrame& frame, float width) {
     const bool below = frame.view.camera().below;
     const double end = below ? 180 : 90;
     // On the disk the nadir is a circle, which only a theta just short of it draws.
     const double outermost = std::min(end, 179.99);
-    const float width = std::max(1.0f, ImGui::GetFontSize() / 15);
     for (int theta = 15; theta < end; theta += 15)
         if (theta != 90) ring(frame, theta, theta % 30 == 0 ? plain : faint, width);
     for (int phi = 0; phi < 360; phi += 30)
@@ -77,6 +86,16 @@ void draw_grid(const CanvasFrame& frame) {
         if (!frame.view.hidden(h))
             label(frame, frame.screen(h), std::to_string(theta) + "\u00b0", palette::text);
     }
+}
+
+}  // namespace
+
+void draw_grid(const CanvasFrame& frame) {
+    const float width = std::max(1.0f, ImGui::GetFontSize() / 15);
+    if (frame.view.camera().highlight)
+        draw_highlight_grid(frame, width);
+    else
+        draw_facet_grid(frame, width);
 }
 
 void draw_mark(const CanvasFrame& frame, dvec3 h) {

@@ -35,24 +35,41 @@ std::optional<dvec3> outline_under(const CanvasFrame& frame, const Layer& layer,
     return found;
 }
 
-// Without the ends of a lobe that is too narrow on the screen: zoomed in, they come apart.
-std::vector<Handle> told_apart(const CanvasFrame& frame, const Layer& layer) {
-    std::vector<Handle> handles = handles_of(layer);
-    const glm::dvec2 axis = frame.view.pixel(handles.front().at);
-    std::erase_if(handles, [&](const Handle& handle) {
-        return handle.kind != HandleKind::axis &&
-               distance(frame, handle.at, axis) < apart * static_cast<double>(scale());
-    });
-    return handles;
+// A handle, and where it is drawn: an end keeps its distance from the axis, however narrow the lobe is.
+struct ShownHandle {
+    Handle handle;
+    glm::dvec2 pixel;
+    bool moved_apart = false;
+};
+
+std::vector<ShownHandle> shown_handles(const CanvasFrame& frame, const Layer& layer) {
+    std::vector<ShownHandle> shown;
+    const double least = apart * static_cast<double>(scale());
+    for (const Handle& handle : handles_of(layer)) {
+        ShownHandle place{handle, frame.view.pixel(handle.at)};
+        if (frame.view.hidden(handle.at)) continue;
+        if (!shown.empty()) {
+            const glm::dvec2 off = place.pixel - shown.front().pixel;
+            const double length = glm::length(off);
+            place.moved_apart = length < least;
+            if (place.moved_apart)
+                place.pixel = shown.front().pixel + off * (length > 0 ? least / length : 0);
+        } else if (handle.kind != HandleKind::axis) {
+            continue;  // the axis itself is hidden
+        }
+        shown.push_back(place);
+    }
+    return shown;
 }
 
-std::optional<Handle> chosen_handle(const CanvasFrame& frame, const Layer& layer, glm::dvec2 pixel) {
+std::optional<ShownHandle> chosen_handle(const CanvasFrame& frame, const Layer& layer, glm::dvec2 pixel) {
     double nearest = static_cast<double>(reach * scale());
-    std::optional<Handle> found;
-    for (const Handle& handle : told_apart(frame, layer))
-        if (const double d = distance(frame, handle.at, pixel); d <= nearest) nearest = d, found = handle;
+    std::optional<ShownHandle> found;
+    for (const ShownHandle& shown : shown_handles(frame, layer))
+        if (const double d = glm::length(shown.pixel - pixel); d <= nearest) nearest = d, found = shown;
     if (found) return found;
-    if (const auto h = outline_under(frame, layer, pixel)) return Handle{HandleKind::outline, *h};
+    if (const auto h = outline_under(frame, layer, pixel))
+        return ShownHandle{{HandleKind::outline, *h}, frame.view.pixel(*h)};
     return {};
 }
 
@@ -74,13 +91,26 @@ void draw_chosen(const CanvasFrame& frame, const Layer& layer, const std::option
         draw_path(frame, at, outline_steps, ImGui::GetColorU32(lit ? palette::accent_bright : palette::text),
                   (lit ? 2.4f : 1.5f) * scale());
     }
-    for (const Handle& handle : told_apart(frame, layer)) {
-        if (frame.view.hidden(handle.at)) continue;
+    for (const auto& [handle, pixel, moved] : shown_handles(frame, layer)) {
         const bool under = same(hot, handle.kind, handle.at);
         const float size = handle.kind == HandleKind::axis ? 5.5f : 4.5f;
         const float radius = size + (under ? 1.5f : 0.0f);
-        knob(frame.screen(handle.at), radius, under ? palette::accent_bright : palette::text);
+        const ImVec2 at(frame.low.x + static_cast<float>(pixel.x), frame.low.y + static_cast<float>(pixel.y));
+        knob(at, radius, under ? palette::accent_bright : palette::text);
     }
+}
+
+// The handle keeps its distance from the pointer, so that it does not jump when it is taken.
+Layer dragged(const CanvasFrame& frame, const GrabbedHandle& held, glm::dvec2 pixel) {
+    const bool alone = ImGui::GetIO().KeyShift;
+    if (held.moved_apart) {
+        const glm::dvec2 axis = frame.view.pixel(handles_of(held.before).front().at);
+        const glm::dvec2 now = *held.moved_apart + pixel - held.pixel;
+        return widened(held.before, held.kind,
+                       glm::length(now - axis) / glm::length(*held.moved_apart - axis), alone);
+    }
+    const dvec3 to = frame.view.nearest_direction(frame.view.pixel(held.at) + pixel - held.pixel);
+    return pulled(held.before, held.kind, held.at, to, alone);
 }
 
 }  // namespace
@@ -91,11 +121,14 @@ std::optional<GrabbedHandle> handle_under(const CanvasFrame& frame, const Distri
     const glm::dvec2 pixel = frame.pixel(ImGui::GetIO().MousePos);
     if (chosen < layers.size() && counts(layers[chosen]))
         if (const auto handle = chosen_handle(frame, layers[chosen], pixel))
-            return GrabbedHandle{handle->kind, chosen, handle->at, pixel, layers[chosen]};
+            return GrabbedHandle{
+                handle->handle.kind, chosen,
+                handle->handle.at,   pixel,
+                layers[chosen],      handle->moved_apart ? std::optional(handle->pixel) : std::nullopt};
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const dvec3 axis = handles_of(layers[i]).front().at;
         if (counts(layers[i]) && distance(frame, axis, pixel) <= static_cast<double>(reach * scale()))
-            return GrabbedHandle{HandleKind::axis, i, axis, pixel, layers[i]};
+            return GrabbedHandle{HandleKind::axis, i, axis, pixel, layers[i], {}};
     }
     return {};
 }
@@ -119,9 +152,7 @@ bool handle_layers(CanvasState& state, const CanvasFrame& frame, Distribution& d
     const GrabbedHandle& held = *state.grabbed;
     const glm::dvec2 pixel = frame.pixel(ImGui::GetIO().MousePos);
     if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1)) return true;
-    // The handle keeps its distance from the pointer, so that it does not jump when it is taken.
-    const dvec3 to = frame.view.nearest_direction(frame.view.pixel(held.at) + pixel - held.pixel);
-    distribution.layers[held.layer] = pulled(held.before, held.kind, held.at, to);
+    distribution.layers[held.layer] = dragged(frame, held, pixel);
     return true;
 }
 

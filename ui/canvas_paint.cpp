@@ -2,23 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <utility>
 
 #include "core/model/facet_distribution.h"
+#include "core/paint/density_picture.h"
 #include "core/paint/painted_layer.h"
-#include "ui/canvas_path.h"
+#include "core/paint/raster_texels.h"
 #include "ui/canvas_tools.h"
-#include "ui/theme.h"
 
 namespace nacre::ui {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-constexpr double pixels_a_step = 2;  // of the way on the screen, so that a quick stroke stays as straight
-constexpr double first_share = 0.5;  // weight of a blank layer's first paint, of the other layers'
-constexpr int footprint_steps = 64;
+constexpr double pixels_a_step = 2;    // of the way on the screen, so that a quick stroke stays as straight
+constexpr double first_share = 0.5;    // weight of a blank layer's first paint, of the other layers'
+constexpr double pixels_a_fold = 110;  // of a drag with Shift that makes the brush e times larger
+constexpr double click_pixels = 3;     // a shorter drag is a click
 
 bool is_painted(const Distribution& distribution, std::size_t index) {
     return index < distribution.layers.size() &&
@@ -27,8 +25,9 @@ bool is_painted(const Distribution& distribution, std::size_t index) {
 
 dvec3 in_layer(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(layer)) * h; }
 
-void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surface, Distribution& distribution,
-                  std::size_t& chosen) {
+// `from` is a normal in the surface's frame.
+void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surface, dvec3 from,
+                  Distribution& distribution, std::size_t& chosen) {
     if (!is_painted(distribution, chosen)) add_painted_layer(distribution, chosen);
     if (!is_painted(distribution, chosen)) return;
     Layer& layer = distribution.layers[chosen];
@@ -41,64 +40,98 @@ void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surfac
     const double others = weight_of_others(distribution, chosen);
     StrokeStyle style{
         .tool = tool, .brush = state.brush, .symmetry = state.symmetry, .tip = {}, .rays = state.rays};
-    if (state.stamp < state.stamps.size()) style.tip = state.stamps[state.stamp].picture;
+    const dvec3 at = in_layer(layer, from);
+    if (state.stamp < state.stamps.size()) {
+        style.tip = state.stamps[state.stamp].picture;
+        style.to_tip = stamp_from_layer(layer, above_horizon(at), state.pose);
+    }
     state.held = HeldBrush{.layer = chosen,
                            .before = layer,
                            .mass = mass,
                            .first_weight = others > 0 ? first_share * others : 1,
-                           .stroke = {raster, std::move(style), in_layer(layer, *surface.pointed_at)},
+                           .stroke = {raster, std::move(style), at},
                            .pixel = surface.pixel,
+                           .end = from,
                            .surface = surface.surface};
 }
 
-std::shared_ptr<const Raster> continued(const BrushSurface& surface, HeldBrush& held) {
-    const glm::dvec2 way = surface.pixel - held.pixel;
+void go_to(HeldBrush& held, dvec3 h) {
+    held.stroke.move_to(in_layer(held.before, h));
+    held.end = h;
+}
+
+// The brush follows the pointer on a string of so many pixels.
+void follow(const BrushSurface& surface, HeldBrush& held, double string) {
+    const glm::dvec2 from = held.pixel, off = surface.pixel - from;
+    const double length = glm::length(off);
+    if (!(length > string)) return;
+    const glm::dvec2 way = off * ((length - string) / length);
     const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) / pixels_a_step)));
-    if (way != glm::dvec2(0))
-        for (int i = 1; i <= steps; ++i)
-            if (const auto h = surface.normal(held.pixel + way * (static_cast<double>(i) / steps)))
-                held.stroke.move_to(in_layer(held.before, *h));
-    return held.stroke.raster();
+    for (int i = 1; i <= steps; ++i)
+        if (const auto h = surface.normal(from + way * (static_cast<double>(i) / steps))) go_to(held, *h);
+    held.pixel = from + way;
 }
 
-// The edge of what a dab covers, about `middle` in the layer's frame.
-dvec3 round_edge(dvec3 middle, double angle, double t) {
-    const double psi = 2 * std::numbers::pi * t;
-    return shortest_rotation({0, 0, 1}, middle) *
-           dvec3(std::sin(angle) * std::cos(psi), std::sin(angle) * std::sin(psi), std::cos(angle));
+void show_stroke(HeldBrush& held, Distribution& distribution) {
+    auto raster = held.stroke.raster();
+    Layer& layer = distribution.layers[held.layer];
+    if (std::get<PaintedLobe>(layer.lobe).image.raster == raster) return;
+    layer = held.before;
+    set_raster(layer, std::move(raster), held.mass, held.first_weight);
 }
 
-// The edge of what a stamp covers: `half` the angle from its middle to a side of its square.
-dvec3 stamp_edge(dvec3 middle, double half, glm::dvec2 reach, double t) {
-    const double side = std::min(std::floor(4 * t), 3.0), along = 2 * (4 * t - side) - 1;
-    const dvec2 corner = side < 1   ? dvec2(along, 1)
-                         : side < 2 ? dvec2(1, -along)
-                         : side < 3 ? dvec2(-along, -1)
-                                    : dvec2(-1, along);
-    const dvec2 at = corner * reach;
-    const double angle = half * glm::length(at), sine = std::sin(angle) / glm::length(at);
-    return shortest_rotation({0, 0, 1}, middle) * dvec3(at * sine, std::cos(angle));
+void end_stroke(CanvasState& state) {
+    state.last_stroke = StrokeEnd{state.held->layer, state.held->end};
+    state.held.reset();
 }
 
-void outline(const CanvasFrame& frame, const std::function<dvec3(double)>& at, bool strong) {
-    const float scale = ImGui::GetFontSize() / 15;
-    if (strong) draw_path(frame, at, footprint_steps, IM_COL32(0, 0, 0, 150), 3.2f * scale);
-    const Colour colour{1, 1, 1, strong ? 0.95f : 0.4f};
-    draw_path(frame, at, footprint_steps, ImGui::GetColorU32(colour), (strong ? 1.4f : 1.0f) * scale);
+// From where the last stroke of this layer ended.
+void draw_line(CanvasState& state, PaintTool tool, const BrushSurface& surface, Distribution& distribution,
+               std::size_t& chosen) {
+    const bool goes_on = state.last_stroke && state.last_stroke->layer == chosen;
+    begin_stroke(state, tool, surface, goes_on ? state.last_stroke->at : *surface.pointed_at, distribution,
+                 chosen);
+    if (!state.held) return;
+    go_to(*state.held, *surface.pointed_at);
+    show_stroke(*state.held, distribution);
+    end_stroke(state);
 }
 
-// A full ring covers all normals between two polar angles.
-void draw_ring(const CanvasFrame& frame, const glm::dmat3& place, double theta, double radius) {
-    for (const double edge : {theta - radius, theta + radius}) {
-        if (edge <= 0 || edge >= 0.5 * std::numbers::pi) continue;
-        outline(
-            frame,
-            [&](double t) {
-                return place * round_edge({0, 0, 1}, edge, t);
-            },
-            true);
+// Shift on the canvas. Returns whether the pointer is its.
+bool size_brush(CanvasState& state, PaintTool tool, const BrushSurface& surface, Distribution& distribution,
+                std::size_t& chosen) {
+    if (state.sized && state.sized->surface != surface.surface) return false;
+    if (!state.sized) {
+        if (surface.surface != Surface::canvas || !ImGui::GetIO().KeyShift || !surface.pointed_at ||
+            !surface.hovered || !ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+            return false;
+        state.sized =
+            SizedBrush{.pixel = surface.pixel, .radius = state.brush.radius, .surface = surface.surface};
     }
+    const double way = surface.pixel.x - state.sized->pixel.x;
+    state.sized->dragged = state.sized->dragged || std::abs(way) > click_pixels;
+    if (state.sized->dragged)
+        state.brush.radius = std::clamp(state.sized->radius * std::exp(way / pixels_a_fold), brush_radius_min,
+                                        brush_radius_max);
+    if (surface.active && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
+    if (!state.sized->dragged && surface.pointed_at) draw_line(state, tool, surface, distribution, chosen);
+    state.sized.reset();
+    return true;
 }
+
+// Of the chosen layer, if it is painted, else p over its peak.
+double value_at(const Distribution& distribution, std::size_t chosen, const FacetDistribution* seen,
+                dvec3 h) {
+    if (is_painted(distribution, chosen)) {
+        const Layer& layer = distribution.layers[chosen];
+        const Raster& raster = *paintable(std::get<PaintedLobe>(layer.lobe));
+        return raster_value(raster.values, raster.width, disk_point(above_horizon(in_layer(layer, h))));
+    }
+    const double peak = seen != nullptr ? peak_density(*seen) : 0;
+    return peak > 0 ? seen->density(h) / peak : 0;
+}
+
+bool picks() { return ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyAlt; }
 
 }  // namespace
 
@@ -110,60 +143,28 @@ void add_painted_layer(Distribution& distribution, std::size_t& chosen) {
     chosen = at;
 }
 
-bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
-                  std::size_t& chosen) {
-    if (state.held && state.held->surface == surface.surface &&
-        (!surface.active || !ImGui::IsMouseDown(ImGuiMouseButton_Left)))
-        state.held.reset();
-    const bool pointing = surface.hovered && surface.pointed_at;
+bool paint_layers(CanvasState& state, const BrushSurface& surface, const FacetDistribution* seen,
+                  Distribution& distribution, std::size_t& chosen) {
     const auto tool = paints_with(state.tool);
-    if (pointing && tool && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        begin_stroke(state, *tool, surface, distribution, chosen);
+    if (tool && size_brush(state, *tool, surface, distribution, chosen)) return true;
+    const bool pointing = surface.hovered && surface.pointed_at;
+    if (pointing && tool && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        if (picks())
+            state.brush.value =
+                std::clamp(value_at(distribution, chosen, seen, *surface.pointed_at), 0.0, 1.0);
+        else
+            begin_stroke(state, *tool, surface, *surface.pointed_at, distribution, chosen);
+    }
     if (!state.held || state.held->surface != surface.surface) return pointing;
     if (!is_painted(distribution, state.held->layer)) {
         state.held.reset();
         return true;
     }
-    auto raster = continued(surface, *state.held);
-    state.held->pixel = surface.pixel;
-    Layer& layer = distribution.layers[state.held->layer];
-    if (std::get<PaintedLobe>(layer.lobe).image.raster == raster) return true;
-    layer = state.held->before;
-    set_raster(layer, std::move(raster), state.held->mass, state.held->first_weight);
+    const bool released = !surface.active || !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    follow(surface, *state.held, released ? 0 : state.steadiness);
+    show_stroke(*state.held, distribution);
+    if (released) end_stroke(state);
     return true;
-}
-
-void draw_brush(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
-    const std::optional<dvec3>& at = frame.cursor ? frame.cursor : contents.marked;
-    const auto tool = paints_with(state.tool);
-    if (!at || !tool) return;
-    const PaintToolInfo& kind = info(*tool);
-    const auto* dabs = std::get_if<DabTool>(&kind.work);
-    const Distribution& design = *contents.design;
-    const glm::dmat3 place =
-        is_painted(design, contents.chosen) ? layer_frame(design.layers[contents.chosen]) : glm::dmat3(1);
-    const dvec3 middle = glm::transpose(place) * *at;
-    const double radius = state.brush.radius * radians;
-    if (middle.z < -0.5) return;
-    if (state.symmetry.kind == SymmetryKind::ring && dabs != nullptr && dabs->follows_way)
-        draw_ring(frame, place, angle_between({0, 0, 1}, middle), radius);
-    const auto images = symmetry_images(state.symmetry);
-    for (std::size_t i = images.size(); i-- > 0;) {
-        const glm::dmat3 to = place * images[i];
-        const bool first = i == 0;
-        if (kind.needs == ToolNeed::picture && state.stamp < state.stamps.size()) {
-            const glm::dvec2 reach = state.stamps[state.stamp].reach;
-            outline(
-                frame, [&](double t) { return to * stamp_edge(middle, radius, reach, t); }, first);
-            continue;
-        }
-        outline(
-            frame, [&](double t) { return to * round_edge(middle, radius, t); }, first);
-        if (first && state.brush.hardness > 0.05 && state.brush.hardness < 0.95)
-            outline(
-                frame, [&](double t) { return to * round_edge(middle, radius * state.brush.hardness, t); },
-                false);
-    }
 }
 
 }  // namespace nacre::ui

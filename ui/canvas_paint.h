@@ -5,15 +5,14 @@
 
 namespace nacre::ui {
 
-// Press and drag paint on the chosen layer, or, where that is no
-// painted one, on a new painted layer after it. Returns whether the pointer is the brush's.
-bool paint_layers(CanvasState& state, const BrushSurface& surface, Distribution& distribution,
-                  std::size_t& chosen);
+// Press and drag paint on the chosen layer, or, where that is no painted one, on a new painted layer after
+// it. With Ctrl or Alt a press picks the value that is there; on the canvas a drag with Shift sizes the
+// brush, and a click with Shift draws a line from where the last stroke ended. `seen` is p as it is shown.
+// Returns whether the pointer is the brush's.
+bool paint_layers(CanvasState& state, const BrushSurface& surface, const FacetDistribution* seen,
+                  Distribution& distribution, std::size_t& chosen);
 
 // Adds a painted layer after the chosen one and chooses it; without effect where there is no room.
 void add_painted_layer(Distribution& distribution, std::size_t& chosen);
-
-// The brush under the pointer as it will land, copies included.
-void draw_brush(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents);
 
 }  // namespace nacre::ui

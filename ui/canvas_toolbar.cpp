@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "ui/balance_buttons.h"
+#include "ui/brush_settings.h"
 #include "ui/canvas_paint.h"
 #include "ui/canvas_tools.h"
 #include "ui/item_map.h"
 #include "ui/keys.h"
 #include "ui/slider_bar.h"
+#include "ui/stamp_row.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -21,6 +23,19 @@ namespace {
 
 constexpr const char* symmetries[] = {"No symmetry", "Mirror x", "Mirror y",
                                       "Mirror both", "Turns",    "Full ring"};
+struct ScaleWords {
+    const char* name;
+    const char* about;
+};
+constexpr ScaleWords scales[] = {
+    {"As seen",
+     "How p becomes brightness: half as bright to the eye halfway down, so that both a core and the "
+     "glow around it show (CIE L*)."},
+    {"Linear",
+     "How p becomes brightness: half the facets, half way down. A glow around a strong core stays "
+     "dark."},
+    {"Logarithmic",
+     "How p becomes brightness: four powers of ten, which shows the faintest haze around a core."}};
 constexpr double key_factor = 1.15;  // of the radius, for each press of [ or ]
 constexpr float hint_ems = 9;        // the least width to read a hint in
 
@@ -38,21 +53,6 @@ void tool_button(CanvasState& state, const ToolEntry& entry) {
     draw_tool_icon(*entry.face, corner, side,
                    ImGui::GetColorU32(chosen ? palette::accent_bright : palette::text));
     if (hovered) tooltip_for_item(tool_tooltip(*entry.face).c_str());
-}
-
-void view_buttons(CanvasState& state) {
-    HemisphereCamera& camera = state.camera;
-    stay_on_line(button_width("Dome"), ImGui::GetStyle().ItemSpacing.x);
-    if (button(camera.dome ? "Dome##Dome" : "Disk##Dome",
-               "All facet normals as an equal-area disk seen from above, or as a dome that the right button "
-               "turns."))
-        camera = {.dome = !camera.dome, .below = camera.below};
-    stay_on_line(button_width("Lin"), ImGui::GetStyle().ItemInnerSpacing.x);
-    if (button(state.logarithmic ? "Log##Scale" : "Lin##Scale",
-               "How p becomes brightness: linear, or logarithmic over four decades, which shows the haze "
-               "around a "
-               "core."))
-        state.logarithmic = !state.logarithmic;
 }
 
 // A slider without a label column: its number says what it is.
@@ -116,14 +116,12 @@ void choice(const char* name, int& index, const std::vector<std::string>& names,
     ImGui::EndCombo();
 }
 
+float scale_width() { return button_width("Logarithmic") + ImGui::GetFrameHeight(); }
+
 // The middle of the row: what this tool needs.
 void tool_number(CanvasState& state, ToolNeed need, float width) {
     if (need == ToolNeed::picture) {
-        std::vector<std::string> names;
-        for (const NamedStamp& stamp : state.stamps) names.push_back(stamp.name);
-        int index = static_cast<int>(state.stamp);
-        choice("Stamp picture", index, names, width, "The picture to stamp with: white paints.");
-        state.stamp = static_cast<std::size_t>(index);
+        stamp_row(state, width, ImGui::GetStyle().ItemInnerSpacing.x);
     } else if (need == ToolNeed::rays) {
         whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, width, "How many rays the star has.",
                      state.rays);
@@ -146,8 +144,8 @@ void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& m
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
     const bool turned = state.symmetry.kind == SymmetryKind::turns;
     const float menu = button_width("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
-    const float width =
-        number_width(menu + button_width(balance_text) + 4 * gap + (turned ? turns + gap : 0));
+    const float settings = button_width(brush_settings_text);
+    const float width = number_width(menu + settings + 4 * gap + (turned ? turns + gap : 0));
     bar({.label = "Brush radius",
          .low = brush_radius_min,
          .high = brush_radius_max,
@@ -177,6 +175,9 @@ void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& m
         whole_number("Turns", "\u00d7 %.0f", {turns_min, turns_max, BrushSymmetry{}.turns}, turns,
                      "How many copies stand about the axis, evenly turned.", state.symmetry.turns);
     }
+    stay_on_line(button_width(brush_settings_text), gap);
+    brush_settings(state);
+    if (state.camera.highlight) return;  // the mean normal is seen beside the facets
     stay_on_line(button_width(balance_text), gap);
     balance_button(state, mean, distribution);
 }
@@ -206,6 +207,30 @@ void take_keys(CanvasState& state) {
 
 }  // namespace
 
+void view_choices(CanvasState& state) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    int scale = static_cast<int>(state.scale);
+    choice("Scale", scale, {scales[0].name, scales[1].name, scales[2].name}, scale_width(),
+           scales[static_cast<std::size_t>(scale)].about);
+    state.scale = static_cast<ScaleKind>(scale);
+    HemisphereCamera& camera = state.camera;
+    ImGui::SameLine(0, gap);
+    if (button(
+            camera.highlight ? "Highlight##Seen as" : "Facets##Seen as",
+            "Highlight: as it stands on the lit object. Facets: by where their normals point, which is the "
+            "other way around, since facets that are tilted down shine above the highlight's middle.")) {
+        camera.highlight = !camera.highlight;
+        camera.centre = -camera.centre;
+    }
+    ImGui::SameLine(0, gap);
+    if (button(camera.dome ? "Dome##Dome" : "Disk##Dome",
+               "All facet normals as an equal-area disk seen from above, or as a dome that the right button "
+               "turns.")) {
+        camera.dome = !camera.dome;
+        camera = camera.whole();
+    }
+}
+
 void resize_brush(CanvasState& state, int steps) {
     state.brush.radius =
         std::clamp(state.brush.radius * std::pow(key_factor, steps), brush_radius_min, brush_radius_max);
@@ -220,13 +245,12 @@ void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distri
         first = false;
         tool_button(state, entry);
     }
-    stay_on_line(button_width("New layer"), ImGui::GetStyle().ItemSpacing.x);
-    if (button("New layer##New painted layer", "A new layer to paint on, with nothing on it yet.",
+    stay_on_line(button_width("+"), ImGui::GetStyle().ItemSpacing.x);
+    if (button("+##New painted layer", "A new layer to paint on, with nothing on it yet.",
                distribution.layers.size() < limits::layers_max)) {
         add_painted_layer(distribution, chosen);
         if (state.tool == CanvasTool::handles) state.tool = CanvasTool::paint;
     }
-    view_buttons(state);
     if (const auto tool = paints_with(state.tool))
         brush_row(state, *tool, mean, distribution);
     else

@@ -10,6 +10,9 @@ namespace nacre::ui {
 void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distribution& distribution,
                     std::size_t& chosen);
 
+// How p is shown: scale, side and shape, for the legend below the canvas.
+void view_choices(CanvasState& state);
+
 // Makes the brush's radius larger by so many steps of a key, or smaller.
 void resize_brush(CanvasState& state, int steps);
 

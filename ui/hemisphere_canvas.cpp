@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/paint/colour_map.h"
+#include "ui/brush_mark.h"
 #include "ui/brush_surface.h"
 #include "ui/canvas_grid.h"
 #include "ui/canvas_handles.h"
@@ -56,7 +57,10 @@ BrushSurface surface_of(const CanvasFrame& frame) {
         .normal = [&frame](glm::dvec2 pixel) { return std::optional(frame.view.nearest_direction(pixel)); }};
 }
 
-float legend_height() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
+// A line of words and numbers, and one of buttons.
+float legend_height() {
+    return ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
+}
 
 void text_at(ImVec2 at, const std::string& text, const Colour& colour) {
     ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(colour), text.c_str());
@@ -95,20 +99,30 @@ void colour_bar(ImVec2 low, ImVec2 high, const CanvasFrame& frame, const CanvasC
     list.AddLine({x, low.y - 3}, {x, high.y + 3}, ImGui::GetColorU32(palette::text), 2);
 }
 
+// What the canvas says while nothing is pointed at.
+std::string at_rest(const CanvasFrame& frame, const FacetDistribution& p) {
+    if (frame.view.camera().highlight) {
+        for (const char* words : {"The middle shines like a mirror; further out, a wider glow.",
+                                  "Middle: like a mirror. Further out: a glow."})
+            if (ImGui::CalcTextSize(words).x < 0.65f * (frame.high.x - frame.low.x)) return words;
+        return "";
+    }
+    const double lean = lean_of_mean(p);
+    return lean < lean_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", lean);
+}
+
 void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
     const float size = ImGui::GetFontSize(), top = frame.high.y + ImGui::GetStyle().ItemSpacing.y * 0.5f;
     const float left = frame.low.x + size * 0.8f, right = frame.high.x - size * 0.8f;
     const std::string least =
-        contents.scale.logarithmic ? fmt::format("{:.2g}", contents.scale.value(0)) : "0";
+        contents.scale.kind == ScaleKind::logarithmic ? fmt::format("{:.2g}", contents.scale.value(0)) : "0";
     const std::string most = fmt::format("{:.3g} /sr", contents.scale.peak);
     const float bar = left + ImGui::CalcTextSize(least.c_str()).x + size * 0.5f, width = size * 6;
     std::string text = readout(state, frame, contents);
     Colour colour = palette::text;
     if (text.empty() && contents.p) {
-        const double lean = lean_of_mean(*contents.p);
-        colour = lean < lean_noticed ? palette::text_dim : palette::amber;
-        text =
-            lean < lean_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", lean);
+        text = at_rest(frame, *contents.p);
+        colour = palette::text_dim;
         if (state.refusal && contents.mean == state.refusal->mean)
             text = state.refusal->why, colour = palette::amber;
     }
@@ -145,6 +159,8 @@ CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribut
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     note_item("Canvas");
+    const ImVec2 below(low.x + border,
+                       low.y + size.y + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y);
     const glm::dvec2 extent(size.x, size.y);
     CanvasFrame frame{.low = low,
                       .high = {low.x + size.x, low.y + size.y},
@@ -158,7 +174,9 @@ CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribut
                            : use_tool(state, surface_of(frame), sight.p, distribution, chosen);
     if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
                           ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
-        state.camera = {.dome = state.camera.dome, .below = state.camera.below};
+        state.camera = state.camera.whole();
+    ImGui::SetCursorScreenPos(below);
+    view_choices(state);
     frame.view = HemisphereView(state.camera, extent);
     frame.cursor = cursor_of(frame);
     return frame;
@@ -172,7 +190,7 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
         list.AddImage(contents.picture, frame.low,
                       {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
     draw_grid(frame);
-    if (contents.p) draw_mean_normal(frame, *contents.p);
+    if (contents.p && !state.camera.highlight) draw_mean_normal(frame, *contents.p);
     if (contents.design && state.tool == CanvasTool::handles)
         draw_handles(state, frame, *contents.design, contents.chosen);
     else if (contents.design)

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/model/facet_distribution.h"
+#include "core/paint/brush_presets.h"
 #include "core/paint/density_picture.h"
 #include "core/paint/hemisphere_view.h"
 #include "core/paint/highlight.h"
@@ -24,6 +25,9 @@ struct GrabbedHandle {
     dvec3 at;
     glm::dvec2 pixel;  // of the pointer
     Layer before;
+    // Where an end is shown that would else lie on its axis: a drag scales by how far the pointer is from
+    // there.
+    std::optional<glm::dvec2> moved_apart;
 };
 
 // What the left button does: it pulls the handles of lobes, grabs highlights, or paints.
@@ -54,8 +58,22 @@ struct HeldBrush {
     Layer before;
     double mass, first_weight;  // see set_raster()
     Stroke stroke;
-    glm::dvec2 pixel;  // of the pointer in the frame before
+    glm::dvec2 pixel;  // that the brush has reached
+    dvec3 end;         // the normal there
     Surface surface;
+};
+
+// Shift is held: a drag sizes the brush, a click draws a line from where the last stroke ended.
+struct SizedBrush {
+    glm::dvec2 pixel;  // of the press
+    double radius;     // before
+    bool dragged = false;
+    Surface surface;
+};
+
+struct StrokeEnd {
+    std::size_t layer;
+    dvec3 at;  // normal, in the surface's frame
 };
 
 // Why p could not be balanced.
@@ -67,15 +85,22 @@ struct Refusal {
 // What the canvas remembers between frames; no part of the document.
 struct CanvasState {
     HemisphereCamera camera;
-    bool logarithmic = false;
+    ScaleKind scale = ScaleKind::perceptual;
     CanvasTool tool = CanvasTool::handles;
     Brush brush;
     BrushSymmetry symmetry;
     int rays = usual_rays;
     std::vector<NamedStamp> stamps = built_in_stamps();
     std::size_t stamp = 0;
+    StampPose pose;
+    bool asks_for_stamp = false;  // a picture to stamp with is to be loaded; whoever does takes it back
     std::optional<GrabbedHandle> grabbed;
     std::optional<HeldBrush> held;
+    std::optional<SizedBrush> sized;
+    std::optional<StrokeEnd> last_stroke;
+    double steadiness = 0;  // pixels that the brush hangs behind the pointer, as on a string
+    std::vector<NamedBrush> own_brushes;
+    std::string brush_name;  // as it is typed
     std::optional<CarriedLayer> carried;
     std::optional<Refusal> refusal;
 };

@@ -1,7 +1,9 @@
 #include <imgui.h>
 
+#include <cmath>
 #include <string>
 
+#include "core/paint/lobe_handles.h"
 #include "ui/kind_fields.h"
 #include "ui/layers_panel.h"
 
@@ -20,18 +22,75 @@ SliderSpec angle_spec(const char* label, double low, double high, double most, c
             .tooltip = tooltip};
 }
 
-bool lobe_editor(Lobe& lobe, CurveView& curve) {
+bool kind_of_lobe(Lobe& lobe) {
     const glm::dvec2 widths = widths_of(lobe);
-    const bool chosen = kind_combo("Lobe", lobe, "", [&]<class T>() { return T::of_widths(widths); });
-    return kind_fields(lobe, &curve) || chosen;
+    return kind_combo("Lobe", lobe, "", [&]<class T>() { return T::of_widths(widths); });
+}
+
+// What has been changed of one width is done to the other.
+void keep_stretch(Lobe& lobe, const LobeShape& before) {
+    const auto after = shape_of(lobe);
+    if (!after || after->stretch == before.stretch) return;
+    // The width that was changed times its change, which is the stretch's or its inverse.
+    const double by_x = after->softness / before.softness * std::sqrt(after->stretch / before.stretch);
+    const double by_y = after->softness / before.softness / std::sqrt(after->stretch / before.stretch);
+    const double factor = std::abs(by_x - 1) > std::abs(by_y - 1) ? by_x : by_y;
+    set_shape(lobe, {before.softness * factor, before.stretch});
+}
+
+bool lobe_fields(Lobe& lobe, LayersView& view) {
+    const auto before = shape_of(lobe);
+    const bool changed = kind_fields(lobe, &view.curve);
+    if (changed && before && view.linked) keep_stretch(lobe, *before);
+    if (before)
+        checkbox(
+            "Link x and y", view.linked,
+            "A change of one width changes the other by the same factor, so that the highlight keeps its "
+            "stretch.");
+    return changed;
+}
+
+// What an artist calls softness, stretch and direction.
+bool artists_fields(Layer& layer) {
+    auto shape = shape_of(layer.lobe);
+    if (!shape) return false;
+    bool changed =
+        slider({.label = "Softness",
+                .low = 0.003,
+                .high = 1,
+                .least = limits::width_min,
+                .most = 10,
+                .reset = default_width,
+                .format = "%.3g",
+                .logarithmic = true,
+                .tooltip = "How wide the highlight glows: 0.01 is polished, 0.1 satin, 1 dull. The "
+                           "mean of both widths, as a slope."},
+               shape->softness);
+    changed |= slider({.label = "Stretch",
+                       .low = 0.05,
+                       .high = 20,
+                       .least = 1e-3,
+                       .most = 1e3,
+                       .reset = 1,
+                       .format = "%.3g",
+                       .logarithmic = true,
+                       .tooltip = "How long the highlight is along its direction, for 1 across: 1 is round, "
+                                  "10 a streak as on brushed metal."},
+                      shape->stretch);
+    if (changed) set_shape(layer.lobe, *shape);
+    return changed;
+}
+
+bool direction(Layer& layer) {
+    return slider(
+        angle_spec("Direction##Rotation", -180, 180, limits::angle_max,
+                   "Turns the lobe about its own axis, from x toward y: what is stretched along x at "
+                   "0\u00b0 is along y at 90\u00b0. h is turned back about z before p is asked."),
+        layer.rotation);
 }
 
 bool orientation(Layer& layer) {
-    bool changed = slider(
-        angle_spec("Rotation", -180, 180, limits::angle_max,
-                   "Turns the lobe about its own axis, from x toward y: a stretched highlight turns with "
-                   "it. h is turned back about z before p is asked."),
-        layer.rotation);
+    bool changed = direction(layer);
     changed |= slider(
         angle_spec("Tilt", 0, 90, limits::tilt_max,
                    "Then leans the lobe's axis away from the surface normal by this angle \u03b8, and the "
@@ -73,7 +132,7 @@ bool modulation(Layer& layer) {
 
 }  // namespace
 
-bool layer_editor(Layer& layer, CurveView& curve) {
+bool layer_editor(Layer& layer, LayersView& view) {
     bool changed = text_field("Name##Layer name", layer.name, kind_label(layer.lobe),
                               "A name of your own for the list.");
     changed |= slider(
@@ -88,9 +147,16 @@ bool layer_editor(Layer& layer, CurveView& curve) {
          .tooltip = "This layer's share of the facets' area, relative to the other layers' weights: p = "
                     "\u2211 w p / \u2211 w, each layer's p of integral 1. Ctrl+click to type any number."},
         layer.weight);
-    changed |= lobe_editor(layer.lobe, curve);
-    ImGui::Spacing();
-    changed |= orientation(layer);
+    changed |= artists_fields(layer);
+    if (view.expert) {
+        changed |= kind_of_lobe(layer.lobe);
+        changed |= lobe_fields(layer.lobe, view);
+        ImGui::Spacing();
+        changed |= orientation(layer);
+    } else {
+        changed |= direction(layer);
+        if (!shape_of(layer.lobe)) changed |= lobe_fields(layer.lobe, view);
+    }
     changed |= modulation(layer);
     return changed;
 }

@@ -73,7 +73,7 @@ void LayerThumbnails::draw(std::size_t layer, ImVec2 corner, float side) const {
         for (int ring = 1; ring <= rings; ++ring)
             for (int sector = 0; sector < sectors; ++sector) {
                 const glm::vec2 at(corner_at(ring, sector));
-                list.PrimWriteVtx({middle.x + at.x * radius, middle.y - at.y * radius}, uv,
+                list.PrimWriteVtx({middle.x - at.x * radius, middle.y + at.y * radius}, uv,
                                   colours[static_cast<std::size_t>(1 + (ring - 1) * sectors + sector)]);
             }
         const auto index = [&](int ring, int sector) {

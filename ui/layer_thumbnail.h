@@ -1,4 +1,4 @@
-// A small disk that shows a layer's own part of p.
+// A small disk that shows a layer's own part of p, the way up that it shines.
 #pragma once
 
 #include <imgui.h>

@@ -73,7 +73,7 @@ bool layers_panel(LayersView& view, Distribution& distribution) {
     ImGui::Spacing();
     if (!layers.empty()) {
         ImGui::PushID(static_cast<int>(view.chosen));
-        changed |= layer_editor(layers[view.chosen], view.curve);
+        changed |= layer_editor(layers[view.chosen], view);
         ImGui::PopID();
     }
     return changed;

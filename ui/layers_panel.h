@@ -22,6 +22,8 @@ struct LayersView {
     };
     std::optional<Rename> rename;  // in the list
     bool carried = false;          // the chosen layer, by the pointer to another place of the list
+    bool linked = false;           // the widths along x and y keep their ratio
+    bool expert = true;            // all numbers show, and not only what an artist calls them
     LayerThumbnails thumbnails;
     CurveView curve;
 };
@@ -33,6 +35,6 @@ Distribution shown(const LayersView& view, const Distribution& distribution);
 bool layers_panel(LayersView& view, Distribution& distribution);
 
 // The parameters of one layer.
-bool layer_editor(Layer& layer, CurveView& curve);
+bool layer_editor(Layer& layer, LayersView& view);
 
 }  // namespace nacre::ui

@@ -9,17 +9,18 @@
 namespace nacre::ui {
 namespace {
 
-constexpr float tile_ems = 6.2f;  // least width, text sizes
 constexpr float name_lines = 2;
 
 // A picture with its name below. Returns whether it was clicked.
-bool tile(const PresetTile& shown, float width, bool chosen) {
+bool tile(const PresetTile& shown, const char* kind, float width, bool chosen) {
     const float line = ImGui::GetTextLineHeight(), pad = line * 0.3f;
     const float picture = width - 2 * pad;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton("tile", ImVec2(width, picture + name_lines * line + 3 * pad));
-    note_item("Preset " + as_label(shown.name));
-    tooltip_for_item(("Begin a new design as \u201c" + shown.name + "\u201d.").c_str());
+    note_item(std::string(kind) + " " + as_label(shown.name));
+    tooltip_for_item(("Click: a new design as \u201c" + shown.name +
+                      "\u201d; Undo brings back the one before. Right click: its layers for this design.")
+                         .c_str());
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -44,9 +45,10 @@ bool tile(const PresetTile& shown, float width, bool chosen) {
 
 }  // namespace
 
-std::optional<std::size_t> presets_panel(std::span<const PresetTile> tiles,
-                                         std::optional<std::size_t> current) {
-    std::optional<std::size_t> clicked;
+PresetChoice presets_panel(std::span<const PresetTile> tiles, std::optional<std::size_t> current,
+                           const char* kind, float tile_ems) {
+    PresetChoice choice;
+    ImGui::PushID(kind);
     if (tiles.empty()) dim_text("No presets were found.");
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const int columns = std::max(1, static_cast<int>((room + gap) / (tile_ems * ImGui::GetFontSize() + gap)));
@@ -55,11 +57,18 @@ std::optional<std::size_t> presets_panel(std::span<const PresetTile> tiles,
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
         ImGui::PushID(static_cast<int>(i));
-        if (tile(tiles[i], width, current == i)) clicked = i;
+        if (tile(tiles[i], kind, width, current == i)) choice.begun = i;
+        if (ImGui::IsItemHovered()) choice.hovered = i;
+        if (ImGui::BeginPopupContextItem("of preset")) {
+            if (ImGui::Selectable("Add as layer")) choice.added = i;
+            note_item("Add preset as layer");
+            ImGui::EndPopup();
+        }
         ImGui::PopID();
     }
     ImGui::PopStyleVar();
-    return clicked;
+    ImGui::PopID();
+    return choice;
 }
 
 }  // namespace nacre::ui

@@ -42,12 +42,13 @@ std::string list_of(const std::vector<std::string>& left_out) {
     return text;
 }
 
-void tables_parts(const TablesStatus& baked) {
+void tables_parts(const TablesStatus& baked, bool expert) {
     part("Quality", baked.quality, palette::text_dim,
          "A draft follows the hand, within a few percent; the final tables come when it rests, "
          "within a thousandth or as near as they can.");
+    if (!expert) return;
     next_part("Draft");
-    part("Validity", baked.validity, baked.valid ? palette::text_dim : palette::amber,
+    part("Validity", baked.validity, palette::text_dim,
          baked.valid
              ? "The mean facet normal lies along n, as on every real surface: \u222b h p(h) dh is "
                "parallel to n, and facets show as much area as the surface has."
@@ -93,7 +94,7 @@ void status_line(const Status& status) {
     const float left = std::max(first, end - ImGui::CalcTextSize(said.c_str()).x);
     clipped(said.empty() ? end : left - gap, [&] {
         if (status.baked)
-            tables_parts(*status.baked);
+            tables_parts(*status.baked, status.expert);
         else
             part("Baked tables", "baking\u2026", palette::text_dim,
                  "The first tables of this design are on the way.");

@@ -22,6 +22,7 @@ struct Status {
     std::string problem;  // in plain words; stands before everything else
     std::string warning;  // what should be known though the work goes on; in place of the message
     bool working = false;
+    bool expert = true;   // says more of the tables than how far they are
     float kept_free = 0;  // width at the right end, pixels
 };
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "ui/item_map.h"
 #include "ui/theme.h"
@@ -25,33 +26,36 @@ void choice(const TermInfo& candidate, Term& term, bool possible) {
 }
 
 // Where the row is too narrow for buttons.
-void list(Term& term, bool factors) {
+void list(Term& term, bool factors, const std::vector<const TermInfo*>& terms) {
     ImGui::SetNextItemWidth(-ImGui::GetStyle().ItemSpacing.x);
     const bool open = ImGui::BeginCombo("##term", info(term).label);
     note_item("Shown term");
     tooltip_for_item(info(term).meaning);
     if (!open) return;
-    for (const TermInfo& candidate : all_terms()) {
-        ImGui::BeginDisabled(!factors && is_factor(candidate.term));
-        if (ImGui::Selectable(candidate.label, candidate.term == term)) term = candidate.term;
+    for (const TermInfo* candidate : terms) {
+        ImGui::BeginDisabled(!factors && is_factor(candidate->term));
+        if (ImGui::Selectable(candidate->label, candidate->term == term)) term = candidate->term;
         ImGui::EndDisabled();
-        note_item(std::string("Show ") + candidate.name);
-        tooltip_for_item(candidate.meaning);
+        note_item(std::string("Show ") + candidate->name);
+        tooltip_for_item(candidate->meaning);
     }
     ImGui::EndCombo();
 }
 
 }  // namespace
 
-void term_bar(Term& term, bool factors) {
+void term_bar(Term& term, bool factors, bool expert) {
+    std::vector<const TermInfo*> terms;
+    for (const TermInfo& candidate : all_terms())
+        if (expert || !is_factor(candidate.term) || candidate.term == term) terms.push_back(&candidate);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float needed = 2 * gap;
-    for (const TermInfo& candidate : all_terms()) needed += button_width(candidate.label) + gap;
+    for (const TermInfo* candidate : terms) needed += button_width(candidate->label) + gap;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});
-    if (needed > ImGui::GetContentRegionAvail().x) return list(term, factors);
-    for (const TermInfo& candidate : all_terms()) {
-        if (&candidate != all_terms().data()) ImGui::SameLine(0, gap);
-        choice(candidate, term, factors || !is_factor(candidate.term));
+    if (needed > ImGui::GetContentRegionAvail().x) return list(term, factors, terms);
+    for (const TermInfo* candidate : terms) {
+        if (candidate != terms.front()) ImGui::SameLine(0, gap);
+        choice(*candidate, term, factors || !is_factor(candidate->term));
     }
 }
 

@@ -5,7 +5,8 @@
 
 namespace nacre::ui {
 
-// `factors` false: a model without them is shown, and only light can be chosen.
-void term_bar(Term& term, bool factors);
+// `factors` false: a model without them is shown, and only light can be chosen. An expert sees the factors
+// too.
+void term_bar(Term& term, bool factors, bool expert);
 
 }  // namespace nacre::ui

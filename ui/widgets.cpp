@@ -177,6 +177,18 @@ bool button(const char* label, const char* tooltip_text, bool enabled, float wid
     return pressed;
 }
 
+void hint(const char* text) {
+    const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const ImVec2 extent = ImGui::CalcTextSize(text);
+    const float pad = scaled(10), bottom = corner.y + size.y - 3.2f * ImGui::GetFontSize();
+    const ImVec2 low(corner.x + (size.x - extent.x) / 2 - pad, bottom - extent.y - pad);
+    const ImVec2 high(low.x + extent.x + 2 * pad, bottom);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, ImGui::GetColorU32(palette::accent_dim), scaled(8));
+    list.AddText({low.x + pad, low.y + pad / 2}, ImGui::GetColorU32(palette::text), text);
+    note_part(text, low, high);
+}
+
 void heading(const char* text) {
     ImGui::PushFont(heading_font());
     ImGui::TextUnformatted(text);

@@ -89,13 +89,13 @@ Head read_head(std::string_view line, const std::string& file) {
 }
 
 // What is known of the files that the work needs.
-HeldFiles held_by(const Document& document) {
+HeldFiles needed(const HeldFiles& known, const Design& design, const fs::path& own) {
     HeldFiles held;
     const auto hold = [&](const fs::path& file) {
-        if (const auto content = content_in(document.held, file)) held[file] = *content;
+        if (const auto content = content_in(known, file)) held[file] = *content;
     };
-    hold(document.file);
-    for (const fs::path& file : picture_files(document.history.current())) hold(file);
+    hold(own);
+    for (const fs::path& file : picture_files(design)) hold(file);
     return held;
 }
 
@@ -165,14 +165,18 @@ void Autosave::follow(const Document& document) {
         kept_ = done->revision;
         problem_ = done->error ? problem_line(done->error) : std::string();
     }
+    Document::Elsewhere work{&document.history.current(), document.file, document.held};
     if (document.history.saved()) {
-        if (wanted_) submit({});
-        return;
+        auto elsewhere = document.unsaved_elsewhere();
+        if (!elsewhere) {
+            if (wanted_) submit({});
+            return;
+        }
+        work = *std::move(elsewhere);
     }
-    const Design& newest = document.history.current();
-    HeldFiles held = held_by(document);
-    if (!wanted_ || wanted_->design != newest || wanted_->file != document.file || wanted_->held != held)
-        submit(UnsavedWork{newest, document.file, std::move(held)});
+    HeldFiles held = needed(work.held, *work.design, work.file);
+    if (!wanted_ || wanted_->design != *work.design || wanted_->file != work.file || wanted_->held != held)
+        submit(UnsavedWork{*work.design, work.file, std::move(held)});
 }
 
 void Autosave::take_over(RecoveredWork found) {

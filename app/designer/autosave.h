@@ -53,8 +53,8 @@ class Autosave {
     // Each process has a folder of its own below this one, made with its first write. Empty: nothing is kept.
     explicit Autosave(std::filesystem::path folder, std::uintmax_t bytes_max = autosave_bytes_max);
 
-    // Once a frame: begins to write the document's newest step, or to remove the file once there is nothing
-    // unsaved. Never waits.
+    // Once a frame: begins to write the document's newest step, or what another document took the place of
+    // and is not saved, or to remove the file once there is nothing unsaved. Never waits.
     void follow(const Document& document);
 
     // Work of another process becomes this one's in a single step. Waits for the writer.

@@ -35,7 +35,9 @@ void CanvasPane::show_below(const Frame& seen) {
     const auto& layers = seen.design.distribution.layers;
     const bool below =
         seen.p && std::any_of(layers.begin(), layers.end(), layer_reaches_below) && shows_below(*seen.p);
-    if (below != state.camera.below) state.camera = {.dome = state.camera.dome, .below = below};
+    if (below == state.camera.below) return;
+    state.camera.below = below;
+    state.camera = state.camera.whole();
 }
 
 int CanvasPane::divisor(const Drawn& wanted) {
@@ -55,7 +57,7 @@ int CanvasPane::divisor(const Drawn& wanted) {
 void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, const Drawn& wanted) {
     if (scaled_revision_ != wanted.revision) scale_.peak = peak_density(p);
     scaled_revision_ = wanted.revision;
-    scale_.logarithmic = wanted.logarithmic;
+    scale_.kind = wanted.scale;
     const DensityPicture picture = density_picture(p, view, scale_, wanted.divisor);
     picture_.store(picture.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data(), GL_LINEAR);
     texels_ = picture.size;
@@ -75,10 +77,8 @@ HemisphereView CanvasPane::view() const {
 
 void CanvasPane::update(const Frame& frame) {
     const HemisphereView seen = view();
-    Drawn wanted{.revision = frame.revision,
-                 .camera = state.camera,
-                 .size = seen.size(),
-                 .logarithmic = state.logarithmic};
+    Drawn wanted{
+        .revision = frame.revision, .camera = state.camera, .size = seen.size(), .scale = state.scale};
     wanted.divisor = divisor(wanted);
     if (frame.p && wanted != drawn_) redraw(*frame.p, seen, wanted);
 }

@@ -40,7 +40,7 @@ class CanvasPane {
         int revision = -1;
         HemisphereCamera camera;
         glm::dvec2 size{0};  // pixels of the framebuffer
-        bool logarithmic = false;
+        ScaleKind scale = ScaleKind::perceptual;
         int divisor = 0;
         bool operator==(const Drawn&) const = default;
     };

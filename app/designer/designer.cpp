@@ -9,18 +9,17 @@
 
 #include "app/designer/command.h"
 #include "app/designer/dialogs_in_turn.h"
+#include "app/designer/panel.h"
 #include "app/designer/perform.h"
-#include "app/designer/scene_panel.h"
 #include "app/designer/status.h"
 #include "app/designer/take_back.h"
+#include "app/designer/take_up.h"
 #include "app/designer/work_files.h"
 #include "core/base/error.h"
 #include "ui/abandon_frame.h"
+#include "ui/brush_mark.h"
 #include "ui/canvas_tools.h"
 #include "ui/escape.h"
-#include "ui/item_map.h"
-#include "ui/material_panel.h"
-#include "ui/presets_panel.h"
 #include "ui/status_line.h"
 #include "ui/term_bar.h"
 #include "ui/widgets.h"
@@ -33,82 +32,11 @@ constexpr std::chrono::milliseconds patience{25};         // for a draft, while 
 constexpr std::chrono::milliseconds first_patience{500};  // frames without a picture would only delay it
 constexpr double probe_radius = 3;  // degrees of normals that glow while nothing is painted
 
-void draw_presets(Designer& designer) {
-    designer.thumbnails.follow(designer.presets);
-    std::vector<ui::PresetTile> tiles;
-    std::optional<std::size_t> current;
-    for (std::size_t i = 0; i < designer.presets.size(); ++i) {
-        const Preset& preset = designer.presets[i];
-        tiles.push_back({preset.name, designer.thumbnails.texture(preset.file)});
-        if (preset.file == designer.document.preset) current = i;
-    }
-    if (const auto clicked = ui::presets_panel(tiles, current))
-        designer.files.open_preset(designer.document, designer.presets[*clicked].file);
-}
-
-void draw_material(Design& design) {
-    ui::text_field("Name##Design name", design.name, "Untitled",
-                   "The design's name: it stands in the window's title, in exported tables and in GLSL.");
-    ImGui::Spacing();
-    ui::fresnel_panel(design.fresnel);
-    ImGui::Spacing();
-    ui::diffuse_panel(design.diffuse);
-    ImGui::Spacing();
-    ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
-    ImGui::Spacing();
-    ui::heading("Note");
-    ui::note_field(design.note);
-}
-
 Design shown_design(const Designer& designer) {
+    if (designer.trial) return designer.trial->design;
     Design shown = designer.document.design;
     shown.distribution = ui::shown(designer.layers, shown.distribution);
     return shown;
-}
-
-// Final tables of this design, if they are what the preview shows.
-std::shared_ptr<const Tables> final_tables(const Designer& designer) {
-    const bool newest = designer.baker.answered() == designer.baker.asked();
-    const auto& tables = designer.frame.tables;
-    return newest && tables && tables->quality == Quality::final ? tables : nullptr;
-}
-
-void draw_compare(Designer& designer) {
-    Design& design = designer.document.design;
-    const bool whole = designer.frame.design == design;
-    const PresentDesign present{design, whole ? final_tables(designer) : nullptr, designer.frame.settled};
-    if (auto restored = designer.comparison.draw_panel(present, designer.scene, designer.preview))
-        design = *std::move(restored);
-}
-
-void draw_panel(Designer& designer) {
-    Design& design = designer.document.design;
-    // So that no tab's name is cut.
-    const ImVec2 padding = ImGui::GetStyle().FramePadding, narrow(padding.x * 0.5f, padding.y);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
-    const bool bar = ImGui::BeginTabBar("tabs");
-    ImGui::PopStyleVar();
-    if (!bar) return;
-    const auto tab = [narrow](const char* label, const auto& contents) {
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
-        const bool open = ImGui::BeginTabItem(label);
-        ImGui::PopStyleVar();
-        ui::note_item(label);
-        if (!open) return;
-        ImGui::Spacing();
-        contents();
-        ImGui::EndTabItem();
-    };
-    designer.layers.thumbnails.update(designer.frame.p, designer.frame.revision);
-    tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
-    tab("Material", [&] { draw_material(design); });
-    tab("Light", [&] {
-        designer.environment.rows(designer.scene.environment, file_dialogs(designer));
-        scene_panel(designer.scene);
-    });
-    tab("Compare", [&] { draw_compare(designer); });
-    tab("Presets", [&] { draw_presets(designer); });
-    ImGui::EndTabBar();
 }
 
 // The tools of the canvas work on the sphere too, but for the handles: those leave the light to the pointer.
@@ -118,7 +46,7 @@ void work_on_preview(Designer& designer) {
     if (shows_model && is_factor(scene.term)) scene.term = Term::total;
     designer.objects.draw(scene, file_dialogs(designer));
     if (const auto note = designer.objects.take_note()) designer.files.tell(*note);
-    ui::term_bar(scene.term, !shows_model);
+    ui::term_bar(scene.term, !shows_model, designer.layers.expert);
     ui::CanvasState& canvas = designer.canvas.state;
     const auto sphere = designer.preview.point(scene);
     const bool taken = sphere && canvas.tool != ui::CanvasTool::handles &&
@@ -127,17 +55,26 @@ void work_on_preview(Designer& designer) {
     designer.preview.work(scene, taken);
 }
 
+// What to do first, until it is done.
+void follow_hints(Designer& designer) {
+    if (designer.scene.light != Scene().light) designer.hints_to_drag = false;
+    if (designer.canvas.state.last_stroke) designer.hints_to_paint = false;
+}
+
 void draw_preview(Designer& designer) {
     const Frame& frame = designer.frame;
     designer.comparison.follow({frame.design, nullptr, frame.settled}, designer.scene, designer.preview);
     const ui::CanvasState& canvas = designer.canvas.state;
-    const bool probing = !ui::paints_with(canvas.tool);
     const std::optional<dvec3>& there = designer.canvas.pointed_at();
-    // The brush's mark must not hide what it paints.
-    std::optional<dvec3> glow = there;
-    if (!probing && !there) glow = designer.preview.pointed_at();
-    if (!probing && ImGui::IsAnyMouseDown()) glow.reset();
-    designer.preview.draw(frame.tables, designer.scene, glow, probing ? probe_radius : canvas.brush.radius);
+    Veil veil;
+    if (!ui::paints_with(canvas.tool)) {
+        if (there) veil = spot(*there, probe_radius);
+    } else if (!ImGui::IsAnyMouseDown()) {  // the brush's mark must not hide what it paints
+        if (const auto at = there ? there : designer.preview.pointed_at())
+            veil = ui::brush_veil(canvas, frame.design.distribution, designer.layers.chosen, *at);
+    }
+    designer.preview.draw(frame.tables, designer.scene, veil);
+    if (designer.hints_to_drag) ui::hint("Drag the highlight");
 }
 
 // What could not be kept: it stands before the last thing done.
@@ -156,6 +93,7 @@ void draw_status(Designer& designer) {
                      .problem = designer.baker.problem(),
                      .warning = warning(designer),
                      .working = designer.baker.busy(),
+                     .expert = designer.layers.expert,
                      .kept_free = ui::plots_switch_width() + 2 * ImGui::GetFontSize()});
     ui::plots_switch(designer.plots.state);
 }
@@ -186,6 +124,13 @@ void make_frame(Designer& designer) {
     if (auto tables = designer.baker.poll(longest)) frame.tables = std::move(tables);
 }
 
+Settings first_settings(const DesignerOptions& options) {
+    Settings settings;
+    Habits& habits = settings.habits;
+    habits.expert = habits.has_dragged = habits.has_painted = !options.welcomes;
+    return settings;
+}
+
 std::filesystem::path autosave_folder(const UserFolders& folders) {
     return folders.state.empty() ? folders.state : folders.state / "unsaved";
 }
@@ -193,7 +138,9 @@ std::filesystem::path autosave_folder(const UserFolders& folders) {
 // On the disk: the newest step of undo at once, the settings while no border is dragged.
 void keep(Designer& designer) {
     designer.autosave.follow(designer.document);
-    if (!ImGui::IsAnyMouseDown()) designer.settings.keep();
+    if (ImGui::IsAnyMouseDown()) return;
+    designer.settings.values.habits = habits_of(designer);
+    designer.settings.keep();
 }
 
 void draw_all(Designer& designer) {
@@ -213,6 +160,7 @@ void draw_all(Designer& designer) {
                {.panel = [&] { draw_panel(designer); },
                 .canvas = [&] { designer.canvas.work(designer.frame, document.design, designer.layers); },
                 .preview = [&] { work_on_preview(designer); }});
+    follow_hints(designer);
     make_frame(designer);
     const Frame& frame = designer.frame;
     draw_parts(layout, places,
@@ -220,11 +168,13 @@ void draw_all(Designer& designer) {
                     [&] {
                         designer.canvas.draw(frame, document.design, designer.layers,
                                              designer.preview.pointed_at());
+                        if (designer.hints_to_paint) ui::hint("Paint here: B takes a brush, T a stamp");
                     },
                 .preview = [&] { draw_preview(designer); },
                 .drawer = [&] { designer.plots.draw(frame.tables, document.stem(), file_dialogs(designer)); },
                 .status = [&] { draw_status(designer); }});
     designer.environment.follow(designer.scene.environment);
+    designer.stamps.follow(designer.canvas.state, file_dialogs(designer));
     follow_files(designer);
     draw_dialogs(designer);
 
@@ -238,16 +188,21 @@ void draw_all(Designer& designer) {
 
 Designer::Designer(const DesignerOptions& given)
     : options(given),
-      settings(options.folders.config),
+      settings(options.folders.config, first_settings(options)),
       recent(options.folders.state),
       autosave(autosave_folder(options.folders), options.autosave_bytes),
       recovery(autosave_folder(options.folders)),
       baker(options.bake_threads, options.wake),
       comparison(options.bake_threads, options.wake),
       watch(options.wake),
-      presets(list_presets(presets_folder())) {
+      stamps(options.wake),
+      presets(list_presets(presets_folder() / "highlights")) {
+    for (Preset& start : presets) start.is_start = true;
+    for (Preset& material : list_presets(presets_folder())) presets.push_back(std::move(material));
     if (!options.folders.data.empty())
         for (Preset& own : list_presets(options.folders.data / "presets")) presets.push_back(std::move(own));
+    take_up(*this, settings.values.habits);
+    if (options.welcomes && settings.is_first_run()) open_tab = "Presets";
     recovery.look();
 }
 
@@ -265,8 +220,8 @@ void draw_frame(Designer& designer) {
 
 bool in_motion(const Designer& designer) {
     return !designer.frame.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
-           designer.plots.saving.in_motion() || designer.preview.accumulating() ||
-           designer.files.has_answer() || designer.exporter.in_motion() ||
+           designer.stamps.in_motion() || designer.plots.saving.in_motion() ||
+           designer.preview.accumulating() || designer.files.has_answer() || designer.exporter.in_motion() ||
            designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();
 }
 

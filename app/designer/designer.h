@@ -24,16 +24,19 @@
 #include "app/designer/layout.h"
 #include "app/designer/object_chooser.h"
 #include "app/designer/plots_pane.h"
+#include "app/designer/preset_wall.h"
 #include "app/designer/preview_pane.h"
 #include "app/designer/recent_files.h"
 #include "app/designer/recovery.h"
 #include "app/designer/screenshot_saver.h"
 #include "app/designer/settings.h"
+#include "app/designer/stamp_chooser.h"
 #include "app/designer/take_back.h"
 #include "app/designer/thumbnails.h"
 #include "app/designer/user_folders.h"
 #include "app/preview/scene.h"
 #include "core/model/live_distribution.h"
+#include "ui/command_search.h"
 #include "ui/layers_panel.h"
 
 namespace nacre {
@@ -43,6 +46,8 @@ struct DesignerOptions {
     UserFolders folders = {};                            // without them nothing of the user's is read or kept
     std::optional<DialogProgram> dialogs = {};           // for files; without one Nacre's own browser asks
     std::uintmax_t autosave_bytes = autosave_bytes_max;  // at most, of work that is kept
+    // A first run begins with the presets, two hints and what an artist calls things; else with all there is.
+    bool welcomes = false;
     std::function<void()> wake = {};  // called on a worker's thread when a frame would show something new
 };
 
@@ -65,20 +70,25 @@ struct Designer {
     FileWatch watch;
     ChangedPictures changed_pictures;
     ImageImport pictures;
+    StampChooser stamps;
     EnvironmentPanel environment;
     PlotsPane plots;
     ObjectChooser objects;
     ExportFlow exporter;
     ScreenshotSaver pictures_of_preview;
     Thumbnails thumbnails;
-    bool panels = true;        // shown
-    bool full_screen = false;  // wanted; the host makes it so
-    bool sheet = false;        // of shortcuts, shown
+    bool panels = true;                                  // shown
+    bool full_screen = false;                            // wanted; the host makes it so
+    bool sheet = false;                                  // of shortcuts, shown
+    bool hints_to_drag = false, hints_to_paint = false;  // until that is done
+    std::optional<ui::CommandSearch> search;             // while it is open
+    const char* open_tab = nullptr;                      // of the panel, that is to come to the front
     ui::LayersView layers;
     std::vector<Preset> presets;
-    LiveDistribution live;  // that the frame's p comes from
-    Frame frame;            // that is on the screen
-    double changed_at = 0;  // when p last changed, seconds on Dear ImGui's clock
+    std::optional<Trial> trial;  // of a preset that is pointed at
+    LiveDistribution live;       // that the frame's p comes from
+    Frame frame;                 // that is on the screen
+    double changed_at = 0;       // when p last changed, seconds on Dear ImGui's clock
     std::optional<ui::CanvasTool> tool_before_erase;
     AtRest rest;  // what Escape brings back while something is dragged
 };

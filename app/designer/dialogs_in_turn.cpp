@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/designer/command.h"
+#include "app/designer/finder.h"
 #include "ui/shortcut_sheet.h"
 
 namespace nacre {
@@ -30,6 +31,8 @@ void draw_dialogs(Designer& designer) {
         designer.files.restore(document, std::move(*found));
     else if (designer.sheet)
         designer.sheet = ui::shortcut_sheet(command_infos(), show_shortcuts_command.info.keys);
+    else if (designer.search)
+        draw_finder(designer);
     else if (designer.changed_pictures.talking())
         tell(designer, designer.changed_pictures.draw(document, designer.environment, designer.objects));
     else if (designer.exporter.talking())
@@ -42,9 +45,13 @@ void draw_dialogs(Designer& designer) {
         designer.objects.talk();
     else if (designer.environment.talking())
         designer.environment.talk();
+    else if (designer.stamps.talking())
+        designer.stamps.talk();
     else
-        designer.pictures.draw(document.design.distribution, designer.layers.chosen, designer.canvas.state);
+        designer.pictures.draw(document.design.distribution, designer.layers.chosen);
     tell(designer, designer.pictures.take_note());
+    tell(designer, designer.stamps.take_note());
+    if (auto stamp = designer.pictures.take_stamp()) designer.stamps.want(std::move(*stamp));
     if (auto surroundings = designer.pictures.take_surroundings())
         designer.environment.want(surroundings->string());
 }
@@ -52,8 +59,9 @@ void draw_dialogs(Designer& designer) {
 bool talking(const Designer& designer) {
     return designer.changed_pictures.talking() || designer.files.talking() || designer.pictures.talking() ||
            designer.recovery.talking() || designer.exporter.talking() ||
-           designer.pictures_of_preview.talking() || designer.sheet || designer.environment.talking() ||
-           designer.objects.talking() || designer.plots.saving.talking();
+           designer.pictures_of_preview.talking() || designer.sheet || designer.search ||
+           designer.environment.talking() || designer.objects.talking() || designer.stamps.talking() ||
+           designer.plots.saving.talking();
 }
 
 }  // namespace nacre

@@ -29,18 +29,65 @@ void Document::reload(const Document& read) {
     history.mark_saved();
 }
 
+void Document::keep_mine(const std::optional<FileContent>& now) {
+    if (now)
+        held[file] = *now;
+    else
+        held.erase(file);
+    mark_unsaved();
+}
+
 void Document::commit() { history.commit(design); }
+
+void Document::begin(const Document& other) {
+    commit();
+    origins_[history.document()] = {file, preset, held};
+    history.begin(other.design);
+    design = other.design;
+    file = other.file;
+    preset = other.preset;
+    held = other.held;
+}
+
+// Where undo or redo has come to another document than it was.
+void Document::follow_history(int before) {
+    design = history.current();
+    if (history.document() == before) return;
+    origins_[before] = {std::move(file), std::move(preset), std::move(held)};
+    Origin& origin = origins_.at(history.document());
+    file = std::move(origin.file);
+    preset = std::move(origin.preset);
+    held = std::move(origin.held);
+}
 
 void Document::undo() {
     commit();
+    const int before = history.document();
     history.undo();
-    design = history.current();
+    follow_history(before);
 }
 
 void Document::redo() {
     commit();
+    const int before = history.document();
     history.redo();
-    design = history.current();
+    follow_history(before);
+}
+
+std::optional<Document::Elsewhere> Document::unsaved_elsewhere() const {
+    const History::State* state = history.unsaved_elsewhere();
+    if (state == nullptr) return {};
+    const Origin& origin = origins_.at(state->document);
+    return Elsewhere{&state->design, origin.file, origin.held};
+}
+
+void Document::go_elsewhere() {
+    commit();
+    const History::State* state = history.unsaved_elsewhere();
+    if (state == nullptr) return;
+    const int wanted = state->document;
+    while (history.document() != wanted && history.can_redo()) redo();
+    while (history.document() != wanted && history.can_undo()) undo();
 }
 
 std::string Document::stem() const {

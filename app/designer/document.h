@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 
 #include "core/base/system/file_content.h"
@@ -26,8 +28,16 @@ struct Document {
     // From now on it differs from what is on the disk, whatever it is.
     void mark_unsaved() { history.mark_unsaved(); }
 
+    // Another document takes the place of this one, in one step of undo that brings this one back with its
+    // file.
+    void begin(const Document& other);
+
     // The design that stands in the file now takes the place of this one, in one step of undo.
     void reload(const Document& read);
+
+    // What the file holds now, if it is there, is known, and is not asked about again until it changes once
+    // more.
+    void keep_mine(const std::optional<FileContent>& now);
 
     // Ends the present edit: one step of undo, if anything changed.
     void commit();
@@ -35,12 +45,30 @@ struct Document {
     void redo();
     bool unsaved() const { return !history.saved() || design != history.current(); }
 
+    // What was edited before another document took its place, and is not saved.
+    struct Elsewhere {
+        const Design* design;
+        std::filesystem::path file;
+        HeldFiles held;
+    };
+    std::optional<Elsewhere> unsaved_elsewhere() const;
+    void go_elsewhere();  // undoes or redoes until that is the document
+
     // What files made of it are named by: the file's name without its end, else the design's in small
     // letters.
     std::string stem() const;
 
     // "Satin \u2013 satin.nacre", with a dot before it while unsaved.
     std::string title() const;
+
+  private:
+    struct Origin {
+        std::filesystem::path file, preset;
+        HeldFiles held;
+    };
+    void follow_history(int before);
+
+    std::map<int, Origin> origins_;  // of the documents that history holds, but for the current one
 };
 
 // What is wrong with the file or a picture is a UserError.

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/formats/environment_file.h"
+#include "core/image/picture.h"
 #include "core/light/procedural.h"
 #include "ui/item_map.h"
 #include "ui/widgets.h"
@@ -24,8 +25,7 @@ FileQuestion picture_question(const fs::path& folder) {
             .title = "Open environment map",
             .folder = folder,
             .kind = "Picture by latitude and longitude",
-            .endings = {".exr", ".hdr", ".tif", ".tiff", ".pfm", ".ppm", ".png", ".jpg", ".jpeg", ".webp",
-                        ".tga", ".bmp", ".psd", ".dds", ".jp2", ".j2k", ".heic", ".heif", ".avif"}};
+            .endings = picture_endings()};
 }
 
 // An entry of the list of environments; without words about it, it speaks for itself.

@@ -1,6 +1,5 @@
 #include "app/designer/file_flow.h"
 
-#include <algorithm>
 #include <exception>
 #include <system_error>
 #include <utility>
@@ -8,6 +7,8 @@
 #include "app/designer/change_question.h"
 #include "app/designer/folder.h"
 #include "app/designer/picture_notes.h"
+#include "app/designer/recovery.h"
+#include "app/designer/unsaved_question.h"
 #include "core/base/error.h"
 #include "core/base/system/output_guard.h"
 #include "core/design/design_file.h"
@@ -17,25 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string design_name(const Document& document) {
-    return document.design.name.empty() ? "Untitled" : document.design.name;
-}
+std::string name_of(const Design& design) { return design.name.empty() ? "Untitled" : design.name; }
 
 // And what is to be said of the pictures that were read with it.
 std::string with_notes(const std::string& message, const Document& document) {
     const std::string notes = notes_line(document.design);
     return notes.empty() ? message : message + "; " + notes;
-}
-
-// The document whose file holds this very work, if it does.
-std::optional<Document> saved_already(const UnsavedWork& work) {
-    try {
-        Document saved;
-        if (!work.file.empty()) saved = read_document(work.file);
-        return saved.file == work.file && saved.design == work.design ? std::optional(saved) : std::nullopt;
-    } catch (const std::exception&) {
-        return {};
-    }
 }
 
 }  // namespace
@@ -52,10 +40,18 @@ void FileFlow::open_file(Document& document, const fs::path& file) {
     lose_work_for(Next::open, document);
 }
 
-void FileFlow::open_preset(Document& document, const fs::path& file) {
+// Saving it must not change what comes with the program.
+void FileFlow::take_preset(Document& document, const fs::path& file) {
     if (talking()) return;
-    to_open_ = file;
-    lose_work_for(Next::open_preset, document);
+    try {
+        Document opened = read_document(file);
+        opened.held.erase(file);
+        opened.preset = std::exchange(opened.file, fs::path());
+        document.begin(opened);
+        message_ = with_notes("Began as " + name_of(document.design), document);
+    } catch (const std::exception&) {
+        problem_ = problem_line();
+    }
 }
 
 void FileFlow::restore(Document& document, RecoveredWork found) {
@@ -100,7 +96,7 @@ void FileFlow::lose_work_for(Next next, Document& document) {
     if (document.unsaved())
         asking_unsaved_ = true;
     else
-        go_on(document);
+        ask_elsewhere(document);
 }
 
 void FileFlow::go_on(Document& document) {
@@ -121,10 +117,7 @@ void FileFlow::go_on(Document& document) {
                          memory_.dialogs);
             break;
         case Next::open:
-            load(document, false);
-            break;
-        case Next::open_preset:
-            load(document, true);
+            load(document);
             break;
         case Next::restore:
             become_restored(document);
@@ -135,17 +128,11 @@ void FileFlow::go_on(Document& document) {
     }
 }
 
-// A preset opens as a new design: saving it must not change what comes with the program.
-void FileFlow::load(Document& document, bool as_preset) {
+void FileFlow::load(Document& document) {
     try {
-        Document opened = read_document(to_open_);
-        if (as_preset) {
-            opened.held.erase(to_open_);
-            opened.preset = std::exchange(opened.file, fs::path());
-        }
-        document = std::move(opened);
+        document = read_document(to_open_);
         message_ = with_notes("Opened " + to_open_.filename().string(), document);
-        if (!as_preset) note(to_open_);
+        note(to_open_);
     } catch (const std::exception&) {
         problem_ = problem_line();
         std::error_code gone;
@@ -162,7 +149,7 @@ void FileFlow::become_restored(Document& document) {
         document.held = work.held;
         document.mark_unsaved();
     }
-    message_ = "Restored " + design_name(document);
+    message_ = "Restored " + name_of(document.design);
     restored_ = std::exchange(to_restore_, std::nullopt);
 }
 
@@ -189,7 +176,7 @@ void FileFlow::write(Document& document, const fs::path& file) {
         document.history.mark_saved();
         message_ = "Saved " + file.filename().string();
         note(file);
-        go_on(document);
+        ask_elsewhere(document);
     } catch (const std::exception&) {
         problem_ = problem_line();
         next_ = Next::nothing;
@@ -203,15 +190,6 @@ void FileFlow::reload(Document& document) {
     } catch (const std::exception&) {
         problem_ = problem_line();
     }
-}
-
-// What the file holds now is known, and is not asked about again until it changes once more.
-void FileFlow::keep_mine(Document& document) {
-    if (changed_->now)
-        document.held[document.file] = *changed_->now;
-    else
-        document.held.erase(document.file);
-    document.mark_unsaved();
 }
 
 void FileFlow::note(const fs::path& file) {
@@ -235,7 +213,7 @@ void FileFlow::draw_dialog(Document& document) {
     }
     if (!saving_) {
         to_open_ = chosen;
-        load(document, false);
+        load(document);
         return;
     }
     std::error_code error;
@@ -248,13 +226,30 @@ void FileFlow::draw_dialog(Document& document) {
 }
 
 void FileFlow::draw_unsaved_question(Document& document) {
-    const std::string text = "\u201c" + design_name(document) + "\u201d has changes that are not saved.";
-    const auto answer = ui::question("Unsaved changes", text, {"Save", "Discard", "Cancel"});
+    const auto answer = ask_about_unsaved(name_of(document.design));
     if (!answer) return;
     asking_unsaved_ = false;
-    if (*answer == 0) save(document);
-    if (*answer == 1) go_on(document);
-    if (*answer == 2) next_ = Next::nothing;
+    if (*answer == UnsavedAnswer::keep) save(document);
+    if (*answer == UnsavedAnswer::discard) ask_elsewhere(document);
+    if (*answer == UnsavedAnswer::cancel) next_ = Next::nothing;
+}
+
+void FileFlow::draw_elsewhere_question(Document& document) {
+    const auto work = document.unsaved_elsewhere();
+    const auto answer = ask_about_unsaved_elsewhere(work ? name_of(*work->design) : "");
+    if (!answer) return;
+    asking_elsewhere_ = false;
+    if (*answer == UnsavedAnswer::discard) return go_on(document);
+    next_ = Next::nothing;
+    if (*answer == UnsavedAnswer::keep) document.go_elsewhere();
+}
+
+// Goes on unless a preset took the place of work that is not saved.
+void FileFlow::ask_elsewhere(Document& document) {
+    if (next_ != Next::nothing && document.unsaved_elsewhere())
+        asking_elsewhere_ = true;
+    else
+        go_on(document);
 }
 
 void FileFlow::draw_changed_question(Document& document) {
@@ -266,7 +261,7 @@ void FileFlow::draw_changed_question(Document& document) {
         changed_->now = content_of_file(document.file);
         return;
     }
-    if (*answer == ChangeAnswer::keep_mine) keep_mine(document);
+    if (*answer == ChangeAnswer::keep_mine) document.keep_mine(changed_->now);
     changed_.reset();
     if (*answer == ChangeAnswer::overwrite) return write(document, document.file);
     if (*answer == ChangeAnswer::save_as) return save_as(document);
@@ -281,6 +276,8 @@ void FileFlow::draw_questions(Document& document) {
         draw_changed_question(document);
     } else if (asking_unsaved_) {
         draw_unsaved_question(document);
+    } else if (asking_elsewhere_) {
+        draw_elsewhere_question(document);
     } else if (overwrite_) {
         const auto answer = ui::question("Overwrite?", overwrite_->filename().string() + " exists already.",
                                          {"Overwrite", "Cancel"});

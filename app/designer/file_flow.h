@@ -23,7 +23,8 @@ class FileFlow {
     void start_new(Document& document);
     void start_open(Document& document);
     void open_file(Document& document, const std::filesystem::path& file);
-    void open_preset(Document& document, const std::filesystem::path& file);
+    // A preset becomes a new document, in one step of undo.
+    void take_preset(Document& document, const std::filesystem::path& file);
     // Work of another process: the document becomes it once what is unsaved may go, and take_restored() hands
     // it out.
     void restore(Document& document, RecoveredWork found);
@@ -49,7 +50,8 @@ class FileFlow {
 
     bool may_quit() const { return may_quit_; }
     bool talking() const {
-        return asking_unsaved_ || chooser_.open() || overwrite_ || changed_ || !problem_.empty();
+        return asking_unsaved_ || asking_elsewhere_ || chooser_.open() || overwrite_ || changed_ ||
+               !problem_.empty();
     }
     bool has_answer() const { return chooser_.has_answer(); }
     const std::string& message() const { return message_; }  // the last thing done
@@ -64,19 +66,20 @@ class FileFlow {
     std::optional<RecoveredWork> take_restored() { return std::exchange(restored_, std::nullopt); }
 
   private:
-    enum class Next { nothing, begin_new, show_open, open, open_preset, restore, quit };
+    enum class Next { nothing, begin_new, show_open, open, restore, quit };
 
     void lose_work_for(Next next, Document& document);
     void go_on(Document& document);
-    void load(Document& document, bool as_preset);
+    void load(Document& document);
     void become_restored(Document& document);
     bool may_write(const std::filesystem::path& file);
     void write(Document& document, const std::filesystem::path& file);
     void reload(Document& document);
-    void keep_mine(Document& document);
     void note(const std::filesystem::path& file);
     void draw_dialog(Document& document);
     void draw_unsaved_question(Document& document);
+    void draw_elsewhere_question(Document& document);
+    void ask_elsewhere(Document& document);
     void draw_changed_question(Document& document);
     void draw_questions(Document& document);
 
@@ -84,7 +87,7 @@ class FileFlow {
     Next next_ = Next::nothing;  // once the present design may go
     std::filesystem::path to_open_;
     std::optional<RecoveredWork> to_restore_, restored_;
-    bool asking_unsaved_ = false;
+    bool asking_unsaved_ = false, asking_elsewhere_ = false;
     FileChooser chooser_;
     bool saving_ = false;  // what the chooser was asked for
     std::optional<std::filesystem::path> overwrite_;

@@ -22,6 +22,7 @@ bool has_ending(const std::filesystem::path& file, const std::vector<std::string
 struct Preset {
     std::string name;  // of the file, without ".nacre"
     std::filesystem::path file;
+    bool is_start = false;  // a highlight to start from, more than a material
 };
 
 std::vector<Preset> list_presets(const std::filesystem::path& folder);

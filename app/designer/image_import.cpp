@@ -1,6 +1,5 @@
 #include "app/designer/image_import.h"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -28,15 +27,6 @@ void add_layer_of(const std::vector<dvec3>& normals_found, double width, const s
     layer.name = name;
     const double others = weight_of_others(distribution, chosen);
     set_raster(layer, std::move(raster), 0, others > 0 ? others : 1);
-}
-
-std::shared_ptr<const Raster> stamp_of(const std::filesystem::path& file, PictureNotes& notes) {
-    auto raster =
-        std::make_shared<Raster>(load_picture(file, file.string(), "stamp", PictureShape::any, &notes));
-    const float largest = *std::max_element(raster->values.begin(), raster->values.end());
-    if (largest > 1)
-        for (float& value : raster->values) value /= largest;
-    return raster;
 }
 
 void reading_fields(ReliefReading& reading) {
@@ -69,15 +59,13 @@ void reading_fields(ReliefReading& reading) {
 
 }  // namespace
 
-void ImageImport::use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
+void ImageImport::use(int answer, Distribution& distribution, std::size_t& chosen) {
     const std::filesystem::path file = *std::exchange(file_, std::nullopt);
     const std::string name = file.stem().string();
     PictureNotes notes;
     try {
         if (answer == stamp) {
-            canvas.stamps.push_back(named_stamp(name, stamp_of(file, notes)));
-            canvas.stamp = canvas.stamps.size() - 1;
-            canvas.tool = ui::CanvasTool::stamp;
+            stamp_ = file;
         } else if (answer == normals) {
             add_layer_of(normals_of_map(normals_.picture(), normals_.reading()), reading_.smoothing, name,
                          distribution, chosen);
@@ -100,7 +88,7 @@ void ImageImport::use(int answer, Distribution& distribution, std::size_t& chose
     normals_.forget_picture();
 }
 
-void ImageImport::draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas) {
+void ImageImport::draw(Distribution& distribution, std::size_t& chosen) {
     if (!problem_.empty()) {
         if (ui::question("Cannot import the image", problem_, {"OK"})) problem_.clear();
         return;
@@ -118,7 +106,7 @@ void ImageImport::draw(Distribution& distribution, std::size_t& chosen, ui::Canv
                          reading_fields(reading_);
                          normals_.draw();
                      });
-    if (answer) use(*answer, distribution, chosen, canvas);
+    if (answer) use(*answer, distribution, chosen);
 }
 
 }  // namespace nacre

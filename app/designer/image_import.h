@@ -8,7 +8,6 @@
 
 #include "app/designer/normal_choice.h"
 #include "core/design/design.h"
-#include "ui/hemisphere_canvas.h"
 
 namespace nacre {
 
@@ -28,7 +27,10 @@ class ImageImport {
 
     // Asks, and acts on the answer: the picture becomes the stamp in hand, a painted layer of its normals or
     // of its heights, the chosen layer's modulation, or what surrounds the object.
-    void draw(Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas);
+    void draw(Distribution& distribution, std::size_t& chosen);
+
+    // The picture that was said to be a stamp, once.
+    std::optional<std::filesystem::path> take_stamp() { return std::exchange(stamp_, std::nullopt); }
 
     // The picture that was said to be of the surroundings, once.
     std::optional<std::filesystem::path> take_surroundings() {
@@ -42,9 +44,9 @@ class ImageImport {
     const std::string& problem() const { return problem_; }  // shown until it is read
 
   private:
-    void use(int answer, Distribution& distribution, std::size_t& chosen, ui::CanvasState& canvas);
+    void use(int answer, Distribution& distribution, std::size_t& chosen);
 
-    std::optional<std::filesystem::path> file_, surroundings_;
+    std::optional<std::filesystem::path> file_, stamp_, surroundings_;
     std::string problem_;
     std::optional<std::string> note_;
     ReliefReading reading_;  // as it was last set

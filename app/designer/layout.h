@@ -15,7 +15,7 @@ inline constexpr float drawer_min = 14;                        // text sizes
 // Where the borders stand, for windows and scales of any size: all that is worth keeping between runs.
 struct Layout {
     float panel = 21.5f;   // width in text sizes
-    float canvas = 0.5f;   // part of the width beside the panel
+    float canvas = 0.44f;  // part of the width beside the panel: the object is the largest thing
     float drawer = 17.5f;  // height in text sizes; no more of it is shown than the window has room for
     bool operator==(const Layout&) const = default;
 };

@@ -30,7 +30,7 @@ void ObjectChooser::draw(Scene& scene, const std::optional<DialogProgram>& dialo
         scene.object = std::move(*made);
         if (!scene.object.note.empty())
             note_ = fs::path(scene.object.name).filename().string() + ": " + scene.object.note;
-        reset_camera(scene);
+        if (!keep_camera_) reset_camera(scene);
     }
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + gap, ImGui::GetCursorPosY() + gap});

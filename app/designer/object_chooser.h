@@ -13,8 +13,11 @@ namespace nacre {
 
 class ObjectChooser {
   public:
-    // The object appears when it is made, as seen first.
-    void want(const std::string& name) { shelf_.want(name); }
+    // The object appears when it is made, seen as it is usually or, where the camera is kept, from there.
+    void want(const std::string& name, bool keep_camera = false) {
+        keep_camera_ = keep_camera;
+        shelf_.want(name);
+    }
 
     // The row, in the current Dear ImGui window. Takes what has been made into the scene. `dialogs` asks for
     // a file where one is wanted.
@@ -40,6 +43,7 @@ class ObjectChooser {
     void list(const std::string& file_label, bool own, const std::optional<DialogProgram>& dialogs);
     void ask_file(const std::optional<DialogProgram>& dialogs);
 
+    bool keep_camera_ = false;
     ObjectShelf shelf_;
     FileChooser chooser_;
     std::filesystem::path last_folder_;

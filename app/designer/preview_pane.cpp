@@ -21,7 +21,7 @@
 namespace nacre {
 namespace {
 
-constexpr int glow_divisor = 4;        // pixels a texel: the glow is soft
+constexpr int glow_divisor = 2;        // pixels a texel: the glow is soft
 constexpr double rest_seconds = 0.12;  // without a change until the picture is drawn finely
 
 // Of an environment's light: seconds of a frame, and samples a pixel while something moves or for a
@@ -91,8 +91,7 @@ void PreviewPane::work(Scene& scene, bool taken) {
         zoom(scene, static_cast<double>(io.MouseWheel));
 }
 
-void PreviewPane::draw(const std::shared_ptr<const Tables>& tables, const Scene& scene,
-                       const std::optional<glm::dvec3>& glow, double radius) {
+void PreviewPane::draw(const std::shared_ptr<const Tables>& tables, const Scene& scene, const Veil& veil) {
     if (tables != shown_) {
         preview_.set(tables);
         shown_ = tables;
@@ -102,7 +101,7 @@ void PreviewPane::draw(const std::shared_ptr<const Tables>& tables, const Scene&
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     redraw_if_needed(scene, {int(size_.x * scale.x), int(size_.y * scale.y)});
     compared_.paint(preview_, look, corner_, size_);
-    if (glow && lights_shine(scene)) draw_glow(scene, *glow, radius);
+    if (veil && lights_shine(scene)) draw_glow(scene, veil);
     draw_marks(scene);
     draw_progress();
 }
@@ -136,9 +135,9 @@ void PreviewPane::draw_marks(const Scene& scene) {
                      corner_, size_);
 }
 
-void PreviewPane::draw_glow(const Scene& scene, glm::dvec3 h, double radius) {
+void PreviewPane::draw_glow(const Scene& scene, const Veil& veil) {
     const Glow glow =
-        glow_of(scene, preview_.surface(scene, {int(size_.x), int(size_.y)}), h, radius, glow_divisor);
+        glow_of(scene, preview_.surface(scene, {int(size_.x), int(size_.y)}), veil, glow_divisor);
     glow_.store(glow.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, glow.rgba.data(), GL_LINEAR);
     const glm::vec2 covered(glow.size * glow_divisor);
     ImGui::GetWindowDrawList()->AddImage(

@@ -11,6 +11,7 @@
 #include "app/designer/compared_pictures.h"
 #include "app/designer/draw_quality.h"
 #include "app/preview/preview.h"
+#include "app/preview/probe.h"
 #include "app/preview/render.h"
 #include "app/preview/scene.h"
 #include "ui/brush_surface.h"
@@ -35,10 +36,8 @@ class PreviewPane {
     // right or middle drag orbits, the wheel zooms.
     void work(Scene& scene, bool taken);
 
-    // Draws into the window, anew only what changed. `glow` is a normal whose facets' light shines out, for
-    // about `radius` degrees around it.
-    void draw(const std::shared_ptr<const Tables>& tables, const Scene& scene,
-              const std::optional<glm::dvec3>& glow, double radius);
+    // Draws into the window, anew only what changed, with a veil of light over it; null: none.
+    void draw(const std::shared_ptr<const Tables>& tables, const Scene& scene, const Veil& veil);
 
     // The normal of the facets that light the pixel under the pointer.
     const std::optional<glm::dvec3>& pointed_at() const { return pointed_at_; }
@@ -64,7 +63,7 @@ class PreviewPane {
   private:
     std::optional<glm::dvec3> normal_at(const Scene& scene, glm::dvec2 pixel);
     void draw_marks(const Scene& scene);
-    void draw_glow(const Scene& scene, glm::dvec3 h, double radius);
+    void draw_glow(const Scene& scene, const Veil& veil);
     void redraw_if_needed(const Scene& scene, glm::ivec2 size);
     enum class Pace { moving, resting, insisting };
 

@@ -85,4 +85,14 @@ std::optional<RecoveredWork> Recovery::draw() {
     }
 }
 
+std::optional<Document> saved_already(const UnsavedWork& work) {
+    try {
+        Document saved;
+        if (!work.file.empty()) saved = read_document(work.file);
+        return saved.file == work.file && saved.design == work.design ? std::optional(saved) : std::nullopt;
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
 }  // namespace nacre

@@ -39,4 +39,7 @@ class Recovery {
     std::string problem_;
 };
 
+// The document whose file holds this very work, if it does.
+std::optional<Document> saved_already(const UnsavedWork& work);
+
 }  // namespace nacre

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace nacre {
 namespace {
 
@@ -27,6 +29,7 @@ Settings read_settings(ObjectReader& object) {
     read_border(object, "canvas", {canvas_min, canvas_max}, settings.layout.canvas);
     read_border(object, "drawer", {drawer_min, drawer_largest}, settings.layout.drawer);
     object.flag("system_dialogs", settings.system_dialogs);
+    if (object.has("habits")) settings.habits = read_habits(object.at("habits"));
     read_folder(object, "design_folder", settings.design_folder);
     read_folder(object, "picture_folder", settings.picture_folder);
     read_folder(object, "export_folder", settings.export_folder);
@@ -47,6 +50,7 @@ std::string settings_text(const Settings& settings) {
     text += fmt::format("  \"panel\": {},\n", settings.layout.panel);
     text += fmt::format("  \"canvas\": {},\n", settings.layout.canvas);
     text += fmt::format("  \"drawer\": {},\n", settings.layout.drawer);
+    text += fmt::format("  \"habits\": {},\n", habits_text(settings.habits));
     const auto path = [&](const char* key, const fs::path& value) {
         if (value.empty()) return;
         if (const auto json = json_path(value)) text += fmt::format("  \"{}\": {},\n", key, *json);
@@ -57,10 +61,12 @@ std::string settings_text(const Settings& settings) {
     return text + fmt::format("  \"system_dialogs\": {}\n}}\n", settings.system_dialogs);
 }
 
-SettingsFile::SettingsFile(const fs::path& folder)
-    : file_(folder.empty() ? fs::path() : folder / "settings.json") {
-    file_.read(
-        [this](const std::string& text, const std::string& name) { values = parse_settings(text, name); });
+SettingsFile::SettingsFile(const fs::path& folder, Settings first)
+    : values(std::move(first)), file_(folder.empty() ? fs::path() : folder / "settings.json") {
+    file_.read([this](const std::string& text, const std::string& name) {
+        first_run_ = false;
+        values = parse_settings(text, name);
+    });
     kept_ = values;
 }
 

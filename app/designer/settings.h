@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/designer/habits.h"
 #include "app/designer/layout.h"
 #include "app/designer/private_json_file.h"
 
@@ -11,6 +12,7 @@ namespace nacre {
 
 struct Settings {
     Layout layout;
+    Habits habits;
     bool system_dialogs = true;            // zenity or kdialog, where there is one
     std::filesystem::path design_folder;   // of the last design that was opened or saved
     std::filesystem::path picture_folder;  // that F12 writes to; empty until it was chosen
@@ -24,10 +26,12 @@ std::string settings_text(const Settings& settings);
 
 class SettingsFile {
   public:
-    // Reads settings.json of the folder, if it is there. An empty folder: nothing is read or kept.
-    explicit SettingsFile(const std::filesystem::path& folder);
+    // Reads settings.json of the folder; where there is none yet, `first` holds. An empty folder: nothing is
+    // read or kept.
+    explicit SettingsFile(const std::filesystem::path& folder, Settings first = {});
 
     Settings values;
+    bool is_first_run() const { return first_run_; }  // no settings were there
 
     // Writes what changed since. A failure is told once by problem() and tried again with the next change.
     void keep();
@@ -36,6 +40,7 @@ class SettingsFile {
   private:
     PrivateJsonFile file_;
     Settings kept_;
+    bool first_run_ = true;
 };
 
 }  // namespace nacre

@@ -44,7 +44,7 @@ void Thumbnails::draw(const std::filesystem::path& file, std::shared_ptr<const T
     if (!tables) return;
     if (!preview_) preview_ = std::make_unique<Preview>();
     preview_->set(std::move(tables));
-    Scene scene;
+    Scene scene = scene_by_name("studio").value();
     scene.zoom = zoom;
     const RenderedImage image = picture_of(*preview_, scene, {side, side}, false);
     std::vector<std::uint8_t> bytes(image.rgb.size());

@@ -26,7 +26,8 @@ HeadlessDesigner::HeadlessDesigner(const StageOptions& options)
     designer_ = std::make_unique<Designer>(DesignerOptions{.bake_threads = options.bake_threads,
                                                            .folders = options.folders,
                                                            .dialogs = options.dialogs,
-                                                           .autosave_bytes = options.autosave_bytes});
+                                                           .autosave_bytes = options.autosave_bytes,
+                                                           .welcomes = options.welcomes});
 }
 
 void HeadlessDesigner::frame(bool rasterise) {
@@ -51,6 +52,7 @@ void HeadlessDesigner::wait_for_bake() {
     frame(false);  // an object that has been made is taken
     designer_->baker.wait();
     designer_->environment.wait();
+    designer_->stamps.wait();
     designer_->comparison.wait();
     frame(false);
 }

@@ -24,6 +24,7 @@ struct StageOptions {
     UserFolders folders = {};  // a test's own; without them nothing of the user's is read or kept
     std::optional<DialogProgram> dialogs = {};
     std::uintmax_t autosave_bytes = autosave_bytes_max;
+    bool welcomes = false;  // as the window does at a first run
 };
 
 class HeadlessDesigner {

@@ -8,7 +8,8 @@
 namespace nacre {
 namespace {
 
-constexpr double strongest = 0.6;  // opacity
+constexpr double strongest = 0.8;  // opacity
+constexpr double strongest_spot = 0.75;
 constexpr glm::u8vec3 colour{120, 235, 225};
 
 std::optional<glm::dvec3> half_vector(const SurfaceImage& surface, glm::dvec3 light, glm::dvec2 pixel) {
@@ -25,9 +26,15 @@ std::optional<glm::dvec3> half_vector(const Scene& scene, const SurfaceImage& su
     return half_vector(surface, light_direction(scene.light), pixel);
 }
 
-Glow glow_of(const Scene& scene, const SurfaceImage& surface, glm::dvec3 h, double radius, int divisor) {
+Veil spot(glm::dvec3 middle, double radius) {
+    return [middle, width = radius * (std::numbers::pi / 180)](glm::dvec3 h) {
+        const double distance = glm::length(h - middle) / width;
+        return strongest_spot * std::exp(-distance * distance);
+    };
+}
+
+Glow glow_of(const Scene& scene, const SurfaceImage& surface, const Veil& veil, int divisor) {
     const glm::dvec3 light = light_direction(scene.light);
-    const double width = radius * (std::numbers::pi / 180);
     Glow glow;
     glow.size = glm::max((surface.size() + divisor - 1) / divisor, glm::ivec2(1));
     glow.rgba.reserve(static_cast<std::size_t>(glow.size.x * glow.size.y) * 4);
@@ -35,8 +42,7 @@ Glow glow_of(const Scene& scene, const SurfaceImage& surface, glm::dvec3 h, doub
         for (int column = 0; column < glow.size.x; ++column) {
             const glm::dvec2 pixel = glm::dvec2(column + 0.5, row + 0.5) * static_cast<double>(divisor);
             const auto here = half_vector(surface, light, pixel);
-            const double distance = here ? glm::length(*here - h) / width : HUGE_VAL;
-            const double alpha = strongest * std::exp(-distance * distance);
+            const double alpha = here ? strongest * veil(*here) : 0;
             glow.rgba.insert(glow.rgba.end(), {colour.x, colour.y, colour.z,
                                                static_cast<std::uint8_t>(std::lround(255 * alpha))});
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -16,12 +17,18 @@ namespace nacre {
 // the normal of the facets that light the pixel. Nothing beside the object or where the light does not reach.
 std::optional<glm::dvec3> half_vector(const Scene& scene, const SurfaceImage& surface, glm::dvec2 pixel);
 
-// A veil over the preview that shines where facets within about `radius` degrees of `h` light it: straight
-// RGBA, rows from the top, `divisor` times fewer texels each way than the preview has pixels.
+// How much of a veil, from 0 to 1, lies over what facets of normal h light.
+using Veil = std::function<double(glm::dvec3 h)>;
+
+// Over what facets within about `radius` degrees of `middle` light, softly.
+Veil spot(glm::dvec3 middle, double radius);
+
+// A veil over the preview that shines: straight RGBA, rows from the top, `divisor` times fewer texels each
+// way than the preview has pixels.
 struct Glow {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> rgba;
 };
-Glow glow_of(const Scene& scene, const SurfaceImage& surface, glm::dvec3 h, double radius, int divisor);
+Glow glow_of(const Scene& scene, const SurfaceImage& surface, const Veil& veil, int divisor);
 
 }  // namespace nacre

@@ -7,12 +7,20 @@
 
 namespace nacre {
 
-History::History(Design design) { states_.push_back(std::move(design)); }
+History::History(Design design) { states_.push_back({std::move(design), 0}); }
 
 void History::commit(const Design& design) {
-    if (design == current()) return;
+    if (design != current()) push({design, document()});
+}
+
+void History::begin(const Design& design) {
+    push({design, documents_++});
+    mark_saved();
+}
+
+void History::push(State state) {
     states_.resize(position_ + 1);
-    states_.push_back(design);
+    states_.push_back(std::move(state));
     while (states_.size() > steps_max + 1 || (states_.size() > 2 && pixels() > pixels_max))
         states_.pop_front();
     position_ = states_.size() - 1;
@@ -21,13 +29,25 @@ void History::commit(const Design& design) {
 // Of all pictures that the states hold; states share those that did not change between them.
 std::size_t History::pixels() const {
     std::set<std::shared_ptr<const Raster>> rasters;
-    for (const Design& state : states_)
-        for_each_picture(state,
+    for (const State& state : states_)
+        for_each_picture(state.design,
                          [&](const Picture& picture, const std::string&) { rasters.insert(picture.raster); });
     std::size_t sum = 0;
     for (const auto& raster : rasters)
         if (raster) sum += raster->values.size();
     return sum;
+}
+
+bool History::is_saved(const State& state) const {
+    const auto saved = saved_.find(state.document);
+    return saved != saved_.end() && saved->second == state.design;
+}
+
+const History::State* History::unsaved_elsewhere() const {
+    std::set<int> seen{document()};
+    for (auto state = states_.rbegin(); state != states_.rend(); ++state)
+        if (seen.insert(state->document).second && !is_saved(*state)) return &*state;
+    return nullptr;
 }
 
 void History::undo() {

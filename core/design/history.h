@@ -1,8 +1,9 @@
-// Undo and redo: the designs that were, in order.
+// Undo and redo: the designs that were, in order. A design that takes the place of another, as a preset does,
+// is a document of its own: what is saved of one tells nothing about the other.
 #pragma once
 
 #include <deque>
-#include <optional>
+#include <map>
 
 #include "core/design/design.h"
 
@@ -15,26 +16,42 @@ class History {
 
     explicit History(Design design);
 
-    const Design& current() const { return states_[position_]; }
+    const Design& current() const { return states_[position_].design; }
+    int document() const { return states_[position_].document; }  // that the current design belongs to
 
     // A design equal to the current one adds no step; any other drops what could be redone.
     void commit(const Design& design);
+
+    // The design as a new document, in one step of undo. It counts as saved.
+    void begin(const Design& design);
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ + 1 < states_.size(); }
     void undo();  // without effect where there is nothing to undo
     void redo();
 
-    void mark_saved() { saved_ = current(); }
-    void mark_unsaved() { saved_.reset(); }
-    bool saved() const { return saved_ == current(); }  // the current design equals the one on disk
+    // Of the current document.
+    void mark_saved() { saved_.insert_or_assign(document(), current()); }
+    void mark_unsaved() { saved_.erase(document()); }
+    bool saved() const { return is_saved(states_[position_]); }  // the current design equals the one on disk
+
+    struct State {
+        Design design;
+        int document = 0;
+    };
+    // The newest design of another document that undo or redo would bring back, where it is not saved; null
+    // where there is none.
+    const State* unsaved_elsewhere() const;
 
   private:
+    bool is_saved(const State& state) const;
+    void push(State state);
     std::size_t pixels() const;
 
-    std::deque<Design> states_;
+    std::deque<State> states_;
     std::size_t position_ = 0;
-    std::optional<Design> saved_;
+    std::map<int, Design> saved_;  // of each document what is on disk
+    int documents_ = 1;
 };
 
 }  // namespace nacre

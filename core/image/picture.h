@@ -12,6 +12,9 @@
 
 namespace nacre {
 
+// The endings of the files that can be read, ".png" and so on, but for drawings (".svg").
+const std::vector<std::string>& picture_endings();
+
 enum class PictureShape {
     square,  // any other is an error
     any      // one that is not square is letterboxed()
@@ -30,6 +33,11 @@ Raster load_picture(const std::filesystem::path& file, const std::string& error_
 std::shared_ptr<const Raster> load_shared_picture(const std::filesystem::path& file,
                                                   const std::string& error_file,
                                                   const std::string& error_where, PictureNotes& notes);
+
+// What of a picture paints, as a stamp: its luminance as above, brought to a largest value of 1. Where the
+// ground is white, or all that stands on a transparent ground is dark, as most logos have it, the dark paints
+// instead, and a note says so. A UserError of the picture itself.
+Raster load_stamp(const std::filesystem::path& file, PictureNotes* notes = nullptr);
 
 // Three numbers a pixel as they are stored, integers over their largest value, without regard to alpha; a
 // grey is repeated. Upright, rows from the top. Of any shape.

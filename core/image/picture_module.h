@@ -19,6 +19,7 @@ struct PictureModule {
     const char* version;  // of Nacre; first, and the same in all: the program may be of another
     Raster (*load_picture)(const std::filesystem::path&, const std::string&, const std::string&, PictureShape,
                            PictureNotes*);
+    Raster (*load_stamp)(const std::filesystem::path&, PictureNotes*);
     ColourPicture (*load_colours)(const std::filesystem::path&, PictureNotes*);
     LatLong (*load_lat_long)(const std::filesystem::path&, PictureNotes*);
     ImageBytes (*png_bytes)(glm::ivec2, std::span<const std::uint8_t>);

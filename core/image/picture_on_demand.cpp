@@ -80,6 +80,12 @@ std::shared_ptr<const Raster> load_shared_picture(const fs::path& file, const st
     return shared_raster(file, error_file, error_where, PictureShape::square, &notes);
 }
 
+Raster load_stamp(const fs::path& file, PictureNotes* notes) {
+    return *decoded_once<Raster>(
+        file, "stamp", notes, [&](PictureNotes& found) { return pictures().load_stamp(file, &found); },
+        [](const Raster& raster) { return raster.values.size() * sizeof(float); });
+}
+
 ColourPicture load_colours(const fs::path& file, PictureNotes* notes) {
     return *decoded_once<ColourPicture>(
         file, "colours", notes, [&](PictureNotes& found) { return pictures().load_colours(file, &found); },

@@ -13,6 +13,20 @@ double brush_falloff(const Brush& brush, double distance) {
     return t * t * (3 - 2 * t);
 }
 
+double painted(const Brush& brush, double value, double amount) {
+    switch (brush.blend) {
+        case Blend::replace:
+            break;
+        case Blend::add:
+            return std::min(value + amount * brush.value, 1.0);
+        case Blend::multiply:
+            return value * (1 + amount * (brush.value - 1));
+        case Blend::maximum:
+            return std::max(value, amount * brush.value);
+    }
+    return value + amount * (brush.value - value);
+}
+
 double angle_between(dvec3 a, dvec3 b) { return 2 * std::asin(std::min(0.5 * glm::length(a - b), 1.0)); }
 
 glm::dmat3 shortest_rotation(dvec3 a, dvec3 b) {

@@ -5,15 +5,31 @@
 
 namespace nacre {
 
+// How paint combines with what is there.
+enum class Blend {
+    replace,   // goes toward the brush's value
+    add,       // up to 1
+    multiply,  // darkens: a value of 1 leaves what is there
+    maximum    // lightens what is below the value
+};
+
 struct Brush {
     double radius = 8;      // degrees on the sphere of normals
     double hardness = 0.5;  // part of the radius that is covered in full
     double flow = 0.5;      // of the full effect that one dab has in its middle
+    double opacity = 1;     // of the full effect that a whole stroke has at the most
+    double spacing = 0.2;   // between two dabs, radii
+    double value = 1;       // that is painted, of full paint
+    Blend blend = Blend::replace;
 
     bool operator==(const Brush&) const = default;
 };
 
 inline constexpr double brush_radius_min = 0.5, brush_radius_max = 60;  // degrees
+inline constexpr double spacing_min = 0.05, spacing_max = 2;            // radii
+
+// What becomes of a value under this much of the brush, from 0 to 1. Values stay in [0, 1].
+double painted(const Brush& brush, double value, double amount);
 
 // How much a brush covers at `distance` radii from its middle: 1 up to its hardness, then smoothly down to 0
 // at 1.

@@ -71,6 +71,14 @@ class Coverage {
         touched_.clear();
     }
 
+    // Paints each touched value by its amount, and forgets all.
+    void paint(std::vector<float>& values, const Brush& brush) {
+        for (const std::size_t index : touched_)
+            values[index] =
+                static_cast<float>(painted(brush, static_cast<double>(values[index]), amount_[index]));
+        clear();
+    }
+
     // Moves each touched value toward its target by its amount, and forgets all.
     template <class Target>
     void pull(std::vector<float>& values, const Target& target) {

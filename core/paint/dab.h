@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <glm/mat2x2.hpp>
 #include <numbers>
 
 #include "core/image/raster.h"
@@ -16,6 +17,7 @@ struct Dab {
     dvec3 at{0, 0, 1};
     dvec3 from{0, 0, 1};          // where the brush was
     const Raster* tip = nullptr;  // a square picture, white paints; as broad as the brush
+    glm::dmat2 to_tip{1};         // see stamp_from_layer()
 
     double radius() const { return brush.radius * (std::numbers::pi / 180); }  // radians
 };

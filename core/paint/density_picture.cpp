@@ -15,6 +15,19 @@ constexpr double decades = 4;
 constexpr int peak_side = 160;  // samples a side
 constexpr int colours = 1024;
 
+// L*/100 of a luminance, and its inverse (CIE 15:2004, eq. 8.3), both of white.
+constexpr double knee = 6.0 / 29;
+constexpr double slope = 1 / (3 * knee * knee);
+
+double lightness(double y) {
+    return 1.16 * (y > knee * knee * knee ? std::cbrt(y) : slope * y + 4.0 / 29) - 0.16;
+}
+
+double luminance(double l) {
+    const double t = (l + 0.16) / 1.16;
+    return t > knee ? t * t * t : (t - 4.0 / 29) / slope;
+}
+
 std::array<glm::u8vec3, colours> colour_table() {
     std::array<glm::u8vec3, colours> table{};
     for (int i = 0; i < colours; ++i) table[static_cast<std::size_t>(i)] = inferno(i / (colours - 1.0));
@@ -57,11 +70,13 @@ Directions peak_grid() {
 double DensityScale::position(double p) const {
     if (!(p > 0) || !(peak > 0)) return 0;
     const double part = p / peak;
-    return std::clamp(logarithmic ? 1 + std::log10(part) / decades : part, 0.0, 1.0);
+    if (kind == ScaleKind::perceptual) return std::min(lightness(part), 1.0);
+    return std::clamp(kind == ScaleKind::logarithmic ? 1 + std::log10(part) / decades : part, 0.0, 1.0);
 }
 
 double DensityScale::value(double position) const {
-    return peak * (logarithmic ? std::pow(10, (position - 1) * decades) : position);
+    if (kind == ScaleKind::perceptual) return peak * luminance(position);
+    return peak * (kind == ScaleKind::logarithmic ? std::pow(10, (position - 1) * decades) : position);
 }
 
 double peak_density(const FacetDistribution& p) {

@@ -10,10 +10,16 @@
 
 namespace nacre {
 
-// How values of p become colours: `peak` is the brightest; a logarithmic scale shows four decades below it.
+enum class ScaleKind {
+    perceptual,  // by lightness, CIE 1976 L*: half way up looks half as bright
+    linear,
+    logarithmic  // four decades below the peak
+};
+
+// How values of p become colours: `peak` is the brightest.
 struct DensityScale {
     double peak = 1;  // 1/sr
-    bool logarithmic = false;
+    ScaleKind kind = ScaleKind::perceptual;
 
     double position(double p) const;      // in [0, 1]
     double value(double position) const;  // its inverse, for p from peak/10^4 upward

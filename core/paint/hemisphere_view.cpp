@@ -13,6 +13,11 @@ constexpr double margin = 1.17;  // of the shown radius: room for the angles' nu
 constexpr double radians = std::numbers::pi / 180;
 constexpr double nadir = std::numbers::sqrt2;  // radius of the whole sphere's disk
 
+// Between a normal and where it is shown, both ways.
+glm::dvec3 turned(const HemisphereCamera& camera, glm::dvec3 h) {
+    return camera.highlight ? glm::dvec3(-h.x, -h.y, h.z) : h;
+}
+
 // A camera may not lose sight of what it shows.
 void keep_in_sight(HemisphereCamera& camera) {
     camera.zoom = std::clamp(camera.zoom, zoom_min, zoom_max);
@@ -44,6 +49,11 @@ glm::dvec2 HemisphereView::plane(glm::dvec2 pixel) const {
 }
 
 std::optional<glm::dvec3> HemisphereView::direction(glm::dvec2 pixel) const {
+    const auto at = shown(pixel);
+    return at ? std::optional(turned(camera_, *at)) : at;
+}
+
+std::optional<glm::dvec3> HemisphereView::shown(glm::dvec2 pixel) const {
     const glm::dvec2 at = plane(pixel);
     const double r2 = glm::dot(at, at);
     if (!(r2 <= radius() * radius())) return {};
@@ -60,14 +70,16 @@ std::optional<glm::dvec3> HemisphereView::direction(glm::dvec2 pixel) const {
 glm::dvec3 HemisphereView::nearest_direction(glm::dvec2 pixel) const {
     if (const auto under = direction(pixel)) return *under;
     const glm::dvec2 at = plane(pixel);
-    if (!camera_.dome) return disk_direction(at * (radius() * (1 - 1e-12) / glm::length(at)));
+    if (!camera_.dome)
+        return turned(camera_, disk_direction(at * (radius() * (1 - 1e-12) / glm::length(at))));
     glm::dvec3 h = glm::transpose(to_view_) * glm::dvec3(at, 0);
     if (!camera_.below) h.z = std::max(h.z, 0.0);
     const double length = glm::length(h);
-    return length > 0 ? h / length : glm::dvec3(0, 0, 1);
+    return length > 0 ? turned(camera_, h / length) : glm::dvec3(0, 0, 1);
 }
 
-glm::dvec2 HemisphereView::pixel(glm::dvec3 h) const {
+glm::dvec2 HemisphereView::pixel(glm::dvec3 normal) const {
+    const glm::dvec3 h = turned(camera_, normal);
     const glm::dvec2 at = (camera_.dome ? glm::dvec2(to_view_ * h) : disk_point(h)) - camera_.centre;
     return 0.5 * size_ + glm::dvec2(at.x, -at.y) * unit_;
 }
@@ -75,7 +87,7 @@ glm::dvec2 HemisphereView::pixel(glm::dvec3 h) const {
 bool HemisphereView::hidden(glm::dvec3 h) const {
     if (h.z < 0 && !camera_.below) return true;
     if (!camera_.dome) return false;
-    const glm::dvec3 seen = to_view_ * h;
+    const glm::dvec3 seen = to_view_ * turned(camera_, h);
     if (seen.z >= 0) return false;
     // The hollow side shows where nothing of the dome stands before it.
     return camera_.below || (glm::transpose(to_view_) * glm::dvec3(seen.x, seen.y, -seen.z)).z >= 0;

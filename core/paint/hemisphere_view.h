@@ -1,4 +1,7 @@
 // Where the facet normals lie on a flat picture: the equal-area disk from above, or a dome that is orbited.
+// Facets that are tilted to one side shine on the other side of a highlight's middle, so that a sphere under
+// one light shows p turned by 180 degrees about n. The highlight's view turns the picture the same way: what
+// is painted above stands above on the object.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -10,12 +13,16 @@ namespace nacre {
 
 // What an artist turns: no part of the document.
 struct HemisphereCamera {
+    bool highlight = true;    // as it stands on the lit sphere; else by the normals' own x and y
     bool dome = false;        // seen from the side instead of as the disk
     bool below = false;       // facets below the horizon are shown too
     glm::dvec2 centre{0, 0};  // the disk's point (or the dome's, in radii) in the middle of the picture
     double zoom = 1;          // 1 shows all
     double yaw = -25;         // degrees, of the dome about n
     double pitch = 50;        // degrees, by which n leans toward the viewer; 90 looks down on n
+
+    // The same kind of picture with all of it shown.
+    HemisphereCamera whole() const { return {.highlight = highlight, .dome = dome, .below = below}; }
 
     bool operator==(const HemisphereCamera&) const = default;
 };
@@ -49,7 +56,8 @@ class HemisphereView {
 
   private:
     glm::dvec2 plane(glm::dvec2 pixel) const;
-    double radius() const;  // of what is shown, in radii of the horizon
+    std::optional<glm::dvec3> shown(glm::dvec2 pixel) const;  // before the highlight's view is turned back
+    double radius() const;                                    // of what is shown, in radii of the horizon
 
     HemisphereCamera camera_;
     glm::dvec2 size_;

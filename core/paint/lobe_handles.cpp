@@ -145,7 +145,39 @@ std::vector<Handle> handles_of(const Layer& layer) {
     return handles;
 }
 
-Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to) {
+Layer widened(const Layer& layer, HandleKind end, double factor, bool alone) {
+    Layer result = layer;
+    const Widths widths = width_pointers(result.lobe);
+    if (widths.x == nullptr) return result;
+    const dvec2 s = slopes_of(layer.lobe) * factor;
+    const bool x = end == HandleKind::width_x;
+    double &own = x ? *widths.x : *widths.y, &other = x ? *widths.y : *widths.x;
+    const bool was_infinite = std::isinf(own);
+    own = width_of(x ? s.x : s.y, widths);
+    const bool both = !alone && &other != &own && !was_infinite && !std::isinf(own) && !std::isinf(other);
+    if (both) other = width_of(x ? s.y : s.x, widths);
+    return result;
+}
+
+std::optional<LobeShape> shape_of(const Lobe& lobe) {
+    if (!has_widths(lobe) || is_inverted(lobe)) return {};
+    Lobe copy = lobe;
+    const Widths widths = width_pointers(copy);
+    if (std::isinf(*widths.x) || std::isinf(*widths.y)) return {};
+    const dvec2 s = slopes_of(lobe);
+    return LobeShape{std::sqrt(s.x * s.y), s.x / s.y};
+}
+
+void set_shape(Lobe& lobe, const LobeShape& shape) {
+    if (!shape_of(lobe)) return;
+    const Widths widths = width_pointers(lobe);
+    const double root = widths.x == widths.y ? 1 : std::sqrt(shape.stretch);
+    *widths.x = std::clamp(shape.softness * root, limits::width_min, limits::width_max);
+    if (widths.y != widths.x)
+        *widths.y = std::clamp(shape.softness / root, limits::width_min, limits::width_max);
+}
+
+Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to, bool alone) {
     Layer result = layer;
     if (kind == HandleKind::axis) {
         lean(result, to);
@@ -155,10 +187,11 @@ Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to) {
         else if (has_widths(layer.lobe))
             widen(result, from, to);
     } else {
+        if (!has_widths(layer.lobe)) return result;
+        const bool x = kind == HandleKind::width_x;
         const dvec3 l = local(layer, to);
-        const Widths widths = width_pointers(result.lobe);
-        double* width = kind == HandleKind::width_x ? widths.x : widths.y;
-        if (width) *width = width_of(slope_along(kind == HandleKind::width_x ? l.x : l.y, l.z), widths);
+        const dvec2 s = slopes_of(layer.lobe);
+        return widened(layer, kind, slope_along(x ? l.x : l.y, l.z) / (x ? s.x : s.y), alone);
     }
     return result;
 }

@@ -35,8 +35,23 @@ dvec3 outline_at(const Layer& layer, double t);
 bool outline_turns(const Layer& layer);
 
 // The layer after its handle has been pulled from the normal `from` to `to`. Both are unit vectors; an axis
-// or an end follows `to` itself. A Gaussian's end pulled to the horizon becomes infinite.
-Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to);
+// or an end follows `to` itself. An end scales both widths by the same factor, or its own alone where
+// `alone`. A Gaussian's end pulled to the horizon becomes infinite; an infinite width stays so while the
+// other changes.
+Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to, bool alone = false);
+
+// The layer with the width of an end times `factor`, and the other one too unless `alone`.
+Layer widened(const Layer& layer, HandleKind end, double factor, bool alone);
+
+// What an artist says of a lobe with widths: how soft it is, the geometric mean of its widths as slopes, and
+// how stretched, the width along x over that along y. Finite widths alone; nothing of other lobes.
+struct LobeShape {
+    double softness = 0.2;
+    double stretch = 1;
+};
+std::optional<LobeShape> shape_of(const Lobe& lobe);
+// Within the limits of widths; without effect on a lobe that has no shape.
+void set_shape(Lobe& lobe, const LobeShape& shape);
 
 // The layer carried along by the shortest rotation from one unit vector to another, as a rigid body.
 Layer carried(const Layer& layer, dvec3 from, dvec3 to);

@@ -52,7 +52,7 @@ std::shared_ptr<const Raster> with_shape(const Raster& before, const Shape& shap
     visit_images(raster->width, symmetry, shape.from, distance.reach(), [&](const SeenTexel& texel) {
         coverage.add(texel.index, brush.flow * brush_falloff(brush, distance(texel.original)));
     });
-    coverage.pull(raster->values, [](std::size_t) { return 1.0; });
+    coverage.paint(raster->values, brush);
     return raster;
 }
 

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/model/facet_distribution.h"
+#include "core/paint/brush.h"
 #include "core/paint/raster_texels.h"
 
 namespace nacre {
@@ -36,13 +38,13 @@ double smiley(dvec2 at) {
     return std::max({outline, eyes, mouth});
 }
 
-// The heart (x^2 + y^2 - 1)^3 = x^2 y^3, over its gradient as a distance.
+// A square on its corner with half a disc on each of its upper sides.
 double heart(dvec2 at) {
-    const double x = at.x * 1.25, y = at.y * 1.25 + 0.1;
-    const double s = x * x + y * y - 1;
-    const double value = s * s * s - x * x * y * y * y;
-    const double gx = 6 * x * s * s - 2 * x * y * y * y, gy = 6 * y * s * s - 3 * x * x * y * y;
-    return soft(value / std::max(std::hypot(gx, gy), 0.3));
+    constexpr double corner = 0.78, middle = -0.08;  // from the square's middle, and where that is
+    const dvec2 p(std::abs(at.x), at.y - middle);
+    const double square = (p.x + std::abs(p.y) - corner) / std::numbers::sqrt2;
+    const double round = glm::length(p - dvec2(corner / 2)) - corner / std::numbers::sqrt2;
+    return soft(std::min(square, round));
 }
 
 double star(dvec2 at) {
@@ -80,6 +82,19 @@ NamedStamp named_stamp(std::string name, std::shared_ptr<const Raster> picture) 
                 reach = glm::max(reach, glm::abs(texel_point(width, row, column)) + 1.0 / width);
     if (reach == dvec2(0)) reach = dvec2(1);
     return {std::move(name), std::move(picture), reach};
+}
+
+glm::dmat2 stamp_from_layer(const Layer& layer, dvec3 at, const StampPose& pose) {
+    constexpr double opposite = -1 + 1e-9;  // there every rotation to the pole is as short
+    const glm::dmat3 to_surface = layer_frame(layer);
+    const dvec3 seen = to_surface * at, pole(0, 0, 1);
+    glm::dmat3 plane(1);
+    if (at.z > opposite && seen.z > opposite)
+        plane = glm::transpose(shortest_rotation(pole, seen)) * to_surface * shortest_rotation(pole, at);
+    const double angle = pose.angle * (std::numbers::pi / 180), c = std::cos(angle), s = std::sin(angle);
+    const glm::dmat2 turned_back{{c, -s}, {s, c}};
+    const glm::dmat2 flipped{{pose.flip ? -1 : 1, 0}, {0, 1}};
+    return flipped * turned_back * -glm::dmat2(plane);
 }
 
 std::vector<NamedStamp> built_in_stamps() {

@@ -11,7 +11,9 @@ namespace nacre {
 namespace {
 
 // Between two dabs, radians.
-double spacing(const Brush& brush) { return 0.2 * brush.radius * (std::numbers::pi / 180); }
+double spacing(const Brush& brush) {
+    return std::clamp(brush.spacing, spacing_min, spacing_max) * brush.radius * (std::numbers::pi / 180);
+}
 
 const DabTool* dab_tool(PaintTool tool) { return std::get_if<DabTool>(&info(tool).work); }
 
@@ -25,6 +27,7 @@ Stroke::Stroke(const Raster& before, StrokeStyle style, dvec3 at)
       at_(begin_),
       last_dab_(begin_),
       to_next_(spacing(style_.brush)) {
+    if (style_.brush.opacity < 1) before_ = before.values;
     const DabTool* dabs = dab_tool(style_.tool);
     if (dabs != nullptr && dabs->at_press) dab(at_, at_);
 }
@@ -36,7 +39,8 @@ void Stroke::dab(dvec3 at, dvec3 from) {
                .symmetry = style_.symmetry,
                .at = at,
                .from = from,
-               .tip = style_.tip.get()},
+               .tip = style_.tip.get(),
+               .to_tip = style_.to_tip},
               scratch_);
     last_dab_ = at;
     published_.reset();
@@ -64,13 +68,21 @@ void Stroke::move_to(dvec3 to) {
     }
 }
 
+std::shared_ptr<const Raster> Stroke::stroked() const {
+    if (const auto* distance = std::get_if<ShapeDistance>(&info(style_.tool).work))
+        return with_shape(working_, {*distance, style_.rays, begin_, at_}, style_.brush, style_.symmetry);
+    return std::make_shared<const Raster>(working_);
+}
+
 std::shared_ptr<const Raster> Stroke::raster() {
     if (published_) return published_;
-    if (const auto* distance = std::get_if<ShapeDistance>(&info(style_.tool).work))
-        published_ =
-            with_shape(working_, {*distance, style_.rays, begin_, at_}, style_.brush, style_.symmetry);
-    else
-        published_ = std::make_shared<const Raster>(working_);
+    published_ = stroked();
+    if (before_.empty()) return published_;
+    auto mixed = std::make_shared<Raster>(*published_);
+    for (std::size_t i = 0; i < before_.size(); ++i)
+        mixed->values[i] = static_cast<float>(std::lerp(
+            static_cast<double>(before_[i]), static_cast<double>(mixed->values[i]), style_.brush.opacity));
+    published_ = std::move(mixed);
     return published_;
 }
 

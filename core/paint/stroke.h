@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/paint/paint_tool.h"
 
@@ -14,6 +15,7 @@ struct StrokeStyle {
     Brush brush;
     BrushSymmetry symmetry;
     std::shared_ptr<const Raster> tip;  // of a tool that needs a picture
+    glm::dmat2 to_tip{1};               // see stamp_from_layer()
     int rays = usual_rays;
 };
 
@@ -22,8 +24,9 @@ class Stroke {
   public:
     Stroke(const Raster& before, StrokeStyle style, dvec3 at);
 
-    // Goes there by the great circle. Dabs stand a fifth of the radius apart however the way is parted:
-    // parting a great circle moves them by rounding alone. A shape goes straight from the beginning to here.
+    // Goes there by the great circle. Dabs stand as far apart as the brush's spacing has it, however the way
+    // is parted: parting a great circle moves them by rounding alone. A shape goes straight from the
+    // beginning to here.
     void move_to(dvec3 to);
 
     // The layer's raster with the stroke so far. The same pointer for as long as nothing is added.
@@ -31,9 +34,11 @@ class Stroke {
 
   private:
     void dab(dvec3 at, dvec3 from);
+    std::shared_ptr<const Raster> stroked() const;
     void dabs_to(dvec3 to);
 
-    Raster working_;  // a shape leaves it as it was
+    Raster working_;             // a shape leaves it as it was
+    std::vector<float> before_;  // values, where the brush's opacity mixes them in
     StrokeStyle style_;
     Coverage scratch_;
     dvec3 begin_;

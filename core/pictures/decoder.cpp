@@ -83,6 +83,7 @@ std::unique_ptr<Decoder> open_picture(const std::filesystem::path& file, const P
     check_size(opened.examined.size, opened.examined.orientation, limits);
     check_claim(opened);
     if (opened.examined.format == "webp") return make_webp_decoder(std::move(opened));
+    if (opened.examined.format == "svg") return make_svg_decoder(std::move(opened));
     if (opened.examined.format == "psd") return make_psd_decoder(std::move(opened));
     return make_oiio_decoder(std::move(opened));
 }

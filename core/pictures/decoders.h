@@ -28,4 +28,7 @@ std::unique_ptr<Decoder> make_webp_decoder(OpenedFile file);
 // OpenImageIO believes a PSD's numbers: it reads and writes past its rows where they do not fit each other.
 std::unique_ptr<Decoder> make_psd_decoder(OpenedFile file);
 
+// Drawn with librsvg, its longer side limits::raster_max pixels. Nothing that the file refers to is loaded.
+std::unique_ptr<Decoder> make_svg_decoder(OpenedFile file);
+
 }  // namespace nacre

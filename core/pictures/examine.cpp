@@ -72,6 +72,26 @@ bool is_tga(const FileBytes& file, std::string_view start) {
            std::find(depths.begin(), depths.end(), depth) != depths.end() && descriptor < 64;
 }
 
+// A text in which the first element is <svg>, perhaps with a prefix.
+bool is_svg(const FileBytes& file) {
+    constexpr std::uint64_t looked_at = 1 << 14;
+    const std::string text = file.read(0, looked_at);
+    std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    while ((at = text.find_first_not_of(" \t\r\n", at)) != text.npos && text[at] == '<') {
+        const bool comment = text.compare(at, 4, "<!--") == 0;
+        if (!comment && text.compare(at, 2, "<?") != 0 && text.compare(at, 2, "<!") != 0) break;
+        // A document type may hold declarations of its own in brackets.
+        const bool declares =
+            text.compare(at, 9, "<!DOCTYPE") == 0 && text.find('[', at) < text.find('>', at);
+        const std::string_view end = comment ? "-->" : declares ? "]>" : ">";
+        if ((at = text.find(end, at)) == text.npos) return false;
+        at += end.size();
+    }
+    if (at == text.npos || text[at] != '<') return false;
+    const std::string name = text.substr(at + 1, text.find_first_of(" \t\r\n/>", at) - at - 1);
+    return name == "svg" || name.ends_with(":svg");
+}
+
 std::string format_of(const FileBytes& file) {
     const std::string start = file.read(0, 32);
     for (const auto& [at, bytes, format] : signatures)
@@ -79,10 +99,11 @@ std::string format_of(const FileBytes& file) {
     if (is_pnm(start)) return "pnm";
     if (is_bmp(start)) return "bmp";
     if (is_tga(file, start)) return "targa";
+    if (is_svg(file)) return "svg";
     if (start.starts_with("GIF8")) throw PictureProblem("a GIF, which is not read; save it as PNG");
     if (start.size() > 8 && start.compare(4, 4, "ftyp") == 0) throw PictureProblem("a movie, not a picture");
     throw PictureProblem(
-        "no PNG, JPEG, EXR, TIFF, HDR, PNM, WebP, TGA, BMP, PSD, DDS, JPEG 2000 or HEIF picture");
+        "no PNG, JPEG, EXR, TIFF, HDR, PNM, WebP, TGA, BMP, PSD, DDS, JPEG 2000, HEIF or SVG picture");
 }
 
 }  // namespace

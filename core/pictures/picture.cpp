@@ -9,14 +9,14 @@
 
 #include "core/base/error.h"
 #include "core/base/limits.h"
-#include "core/image/area_average.h"
-#include "core/image/letterbox.h"
 #include "core/image/luminance.h"
 #include "core/pictures/decoder.h"
 #include "core/pictures/environment_picture.h"
 #include "core/pictures/light_of.h"
+#include "core/pictures/made_square.h"
 #include "core/pictures/orientation.h"
 #include "core/pictures/picture_problem.h"
+#include "core/pictures/stamp_picture.h"
 
 namespace nacre {
 namespace {
@@ -59,12 +59,7 @@ Raster read_picture(const fs::path& file, PictureShape shape, PictureNotes& note
     if (shape == PictureShape::square && size.x != size.y)
         throw PictureProblem(fmt::format("{} x {} pixels, a picture must be square", size.x, size.y));
     notes = picture->header().notes;
-    const int side = std::max(size.x, size.y), kept = std::min(side, limits::raster_max);
-    std::string changes = size.x != size.y ? ", made square with black beside it" : "";
-    if (kept < side) changes += fmt::format(", averaged down to {} x {}", kept, kept);
-    if (!changes.empty()) notes.push_back(fmt::format("{} x {} pixels{}", size.x, size.y, changes));
-    const Raster raster = letterboxed(read_grey(*picture));
-    return kept < side ? area_average(raster, kept) : raster;
+    return made_square(read_grey(*picture), notes);
 }
 
 ColourPicture read_colours(const fs::path& file, PictureNotes& notes) {
@@ -110,6 +105,13 @@ Raster load_picture(const fs::path& file, const std::string& error_file, const s
             or_reason([&](PictureNotes& found) { return read_picture(file, shape, found); }, notes, reason))
         return *std::move(raster);
     throw UserError(error_file, error_where, "the picture " + file.string() + " cannot be used", reason);
+}
+
+Raster load_stamp(const fs::path& file, PictureNotes* notes) {
+    std::string reason;
+    if (auto raster = or_reason([&](PictureNotes& found) { return read_stamp(file, found); }, notes, reason))
+        return *std::move(raster);
+    throw UserError(file.string(), "read", "the picture cannot be used as a stamp", reason);
 }
 
 ColourPicture load_colours(const fs::path& file, PictureNotes* notes) {

@@ -5,6 +5,7 @@
 [[gnu::visibility("default")]] const nacre::PictureModule* nacre_picture_module() {
     static constexpr nacre::PictureModule module{.version = NACRE_VERSION,
                                                  .load_picture = nacre::load_picture,
+                                                 .load_stamp = nacre::load_stamp,
                                                  .load_colours = nacre::load_colours,
                                                  .load_lat_long = nacre::load_lat_long,
                                                  .png_bytes = nacre::png_bytes,

@@ -262,3 +262,19 @@ TEST_CASE("stamp: the picture stands upright and as broad as the brush") {
     CHECK(value(17, 17) > 0.5);
     CHECK(value(21, 10) == 0);
 }
+
+TEST_CASE(
+    "brush: opacity bounds a whole stroke, however often it goes over a place; spacing thins the dabs") {
+    StrokeStyle style = style_of(PaintTool::paint, SymmetryKind::none);
+    style.brush = {.radius = 10, .hardness = 1, .flow = 0.5, .opacity = 0.4};
+    std::vector<dvec3> back_and_forth;
+    for (int i = 0; i < 20; ++i) back_and_forth.push_back(polar(30, i % 2 == 0 ? 0.0 : 60.0));
+    const Raster thick = stroked(filled(256, 0.1f), style, back_and_forth);
+    const float most = *std::max_element(thick.values.begin(), thick.values.end());
+    CHECK(static_cast<double>(most) == doctest::Approx(0.1 + 0.4 * 0.9).epsilon(1e-3));
+    style.brush = {.radius = 4, .hardness = 1, .flow = 1, .spacing = 2};
+    const Raster dotted = stroked(filled(256, 0), style, {polar(40, 0), polar(40, 90)});
+    style.brush.spacing = 0.1;
+    const Raster even = stroked(filled(256, 0), style, {polar(40, 0), polar(40, 90)});
+    CHECK(raster_mass(dotted) < 0.85 * raster_mass(even));
+}

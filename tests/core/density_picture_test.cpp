@@ -48,23 +48,26 @@ TEST_CASE("colour map: lightness rises evenly from black to pale yellow") {
 }
 
 TEST_CASE("density scale: positions and values are each other's inverse") {
-    for (const bool logarithmic : {false, true}) {
-        const DensityScale scale{.peak = 7, .logarithmic = logarithmic};
-        for (const double t : {0.1, 0.5, 1.0}) CHECK(scale.position(scale.value(t)) == doctest::Approx(t));
+    for (const ScaleKind kind : {ScaleKind::perceptual, ScaleKind::linear, ScaleKind::logarithmic}) {
+        const DensityScale scale{.peak = 7, .kind = kind};
+        for (const double t : {0.03, 0.1, 0.5, 1.0})
+            CHECK(scale.position(scale.value(t)) == doctest::Approx(t));
         CHECK(scale.position(0) == 0);
         CHECK(scale.position(1e9) == 1);
         CHECK(scale.position(std::nan("")) == 0);
     }
+    // A grey of 18 % has the lightness 49.5 (CIE 15:2004).
+    CHECK(DensityScale{}.position(0.18) == doctest::Approx(0.495).epsilon(1e-3));
 }
 
 TEST_CASE("density picture: brightest at the lobe's axis, transparent beside the disk") {
     const Design design = test::design_of(GaussianLobe{0.1, 0.1}, 40, 90);
     const FacetDistribution p(design.distribution);
     const dvec3 axis = layer_frame(design.distribution.layers[0])[2];
-    const HemisphereView view({}, {200, 200});
+    const HemisphereView view({.highlight = false}, {200, 200});
     const double peak = peak_density(p);
     CHECK(peak == doctest::Approx(p.density(axis)));
-    const DensityPicture picture = density_picture(p, view, {.peak = peak, .logarithmic = false}, 1);
+    const DensityPicture picture = density_picture(p, view, {.peak = peak, .kind = ScaleKind::linear}, 1);
     REQUIRE(picture.size == glm::ivec2(200, 200));
     REQUIRE(picture.rgba.size() == 200 * 200 * 4);
     CHECK(picture.rgba[3] == 0);
@@ -72,10 +75,10 @@ TEST_CASE("density picture: brightest at the lobe's axis, transparent beside the
     CHECK(at.y < 100);
     CHECK(luminance(texel(picture, int(at.x), int(at.y))) > 0.6);
     CHECK(luminance(texel(picture, 100, 150)) < 0.01);
-    const DensityPicture wide = density_picture(p, view, {.peak = peak, .logarithmic = true}, 1);
+    const DensityPicture wide = density_picture(p, view, {.peak = peak, .kind = ScaleKind::logarithmic}, 1);
     CHECK(luminance(texel(wide, int(at.x), int(at.y) - 10)) >
           luminance(texel(picture, int(at.x), int(at.y) - 10)));
-    CHECK(density_picture(p, view, {.peak = peak, .logarithmic = false}, 3).size == glm::ivec2(67, 67));
+    CHECK(density_picture(p, view, {.peak = peak, .kind = ScaleKind::linear}, 3).size == glm::ivec2(67, 67));
 }
 
 TEST_CASE("live distribution: after each edit it is what is made anew") {

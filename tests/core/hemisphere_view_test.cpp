@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/model/disk.h"
 #include "tests/core/random_directions.h"
@@ -12,8 +13,14 @@ using namespace nacre;
 
 namespace {
 
-HemisphereCamera camera_of(bool dome, bool below, double zoom, glm::dvec2 centre) {
-    return {.dome = dome, .below = below, .centre = centre, .zoom = zoom, .yaw = 40, .pitch = 35};
+HemisphereCamera camera_of(bool dome, bool below, double zoom, glm::dvec2 centre, bool highlight = false) {
+    return {.highlight = highlight,
+            .dome = dome,
+            .below = below,
+            .centre = centre,
+            .zoom = zoom,
+            .yaw = 40,
+            .pitch = 35};
 }
 
 }  // namespace
@@ -35,9 +42,10 @@ TEST_CASE("disk: directions and points are each other's inverse, and areas are s
 
 TEST_CASE("view: what lies under a normal's pixel is the normal") {
     Random random(2);
-    for (const bool dome : {false, true})
-        for (const bool below : {false, true}) {
-            const HemisphereView view(camera_of(dome, below, 1.5, {0.1, -0.2}), {500, 400});
+    for (const bool highlight : {false, true})
+        for (const auto& [dome, below] :
+             {std::pair(false, false), {false, true}, {true, false}, {true, true}}) {
+            const HemisphereView view(camera_of(dome, below, 1.5, {0.1, -0.2}, highlight), {500, 400});
             int seen = 0;
             for (int i = 0; i < 500; ++i) {
                 dvec3 h = test::random_direction(random);
@@ -57,7 +65,7 @@ TEST_CASE("view: what lies under a normal's pixel is the normal") {
 }
 
 TEST_CASE("view: beside the picture there is no normal, and the nearest lies on the rim") {
-    const HemisphereView view({}, {300, 300});
+    const HemisphereView view({.highlight = false}, {300, 300});
     CHECK(!view.direction({2, 2}));
     CHECK(view.coverage({2, 2}) == 0);
     CHECK(view.coverage({150, 150}) == 1);
@@ -65,6 +73,9 @@ TEST_CASE("view: beside the picture there is no normal, and the nearest lies on 
     CHECK(rim.z == doctest::Approx(0).epsilon(1e-9));
     CHECK(rim.x > 0.999);
     CHECK(view.direction({150, 40})->y > 0.5);  // +y is up
+    // Of the highlight: facets that are tilted down shine above its middle.
+    CHECK(HemisphereView({}, {300, 300}).direction({150, 40})->y < -0.5);
+    CHECK(HemisphereView({}, {300, 300}).nearest_direction({299, 150}).x < -0.999);
 }
 
 TEST_CASE("view: the wheel keeps what is under the pointer, and all is shown again at zoom 1") {

@@ -58,6 +58,13 @@ TEST_CASE("handles: a pulled handle goes where it is pulled") {
                 const Layer wider = pulled(layer, kind, handle_at(layer, kind), end);
                 CHECK(glm::length(handle_at(wider, kind) - end) < 1e-9);
                 CHECK(wider.tilt == layer.tilt);
+                const LobeShape before = shape_of(layer.lobe).value(), after = shape_of(wider.lobe).value();
+                CHECK(after.stretch == doctest::Approx(before.stretch).epsilon(1e-9));
+                const Layer one = pulled(layer, kind, handle_at(layer, kind), end, true);
+                const HandleKind other =
+                    kind == HandleKind::width_x ? HandleKind::width_y : HandleKind::width_x;
+                CHECK(glm::length(handle_at(one, kind) - end) < 1e-9);
+                CHECK(glm::length(handle_at(one, other) - handle_at(layer, other)) < 1e-12);
             }
         }
 }
@@ -125,12 +132,30 @@ TEST_CASE("handles: at the horizon a Gaussian's width is infinite, another's as 
     const Layer cylinder =
         pulled(gaussian, HandleKind::width_x, handle_at(gaussian, HandleKind::width_x), horizon);
     CHECK(std::isinf(std::get<GaussianLobe>(cylinder.lobe).sigma_x));
+    CHECK(std::get<GaussianLobe>(cylinder.lobe).sigma_y == 0.1);
     CHECK(handle_at(cylinder, HandleKind::width_x).z < 0.02);
     const Layer back = pulled(cylinder, HandleKind::width_x, handle_at(cylinder, HandleKind::width_x),
                               glm::normalize(dvec3{1, 0, 1}));
     CHECK(std::get<GaussianLobe>(back.lobe).sigma_x == doctest::Approx(1));
+    CHECK(std::get<GaussianLobe>(back.lobe).sigma_y == 0.1);
     const Layer ggx = layer_of(GgxLobe{0.1, 0.1});
     const Layer wide = pulled(ggx, HandleKind::width_x, handle_at(ggx, HandleKind::width_x), horizon);
     CHECK(std::isfinite(std::get<GgxLobe>(wide.lobe).alpha_x));
     CHECK(std::get<GgxLobe>(wide.lobe).alpha_x <= limits::width_max);
+}
+
+TEST_CASE("shape: softness and stretch set the widths of what has two, and are read back") {
+    for (Lobe lobe : {Lobe(GaussianLobe{0.3, 0.1}), Lobe(GgxLobe{0.2, 0.5}), Lobe(BeckmannLobe{0.1, 0.1})}) {
+        set_shape(lobe, {.softness = 0.25, .stretch = 4});
+        const auto shape = shape_of(lobe);
+        REQUIRE(shape);
+        CHECK(shape->softness == doctest::Approx(0.25));
+        CHECK(shape->stretch == doctest::Approx(4));
+    }
+    CHECK(!shape_of(GaussianLobe{0.1, limits::infinity}));
+    CHECK(!shape_of(InverseGaussianLobe{0.5}));
+    CHECK(!shape_of(UniformLobe{}));
+    Lobe flat = UniformLobe{};
+    set_shape(flat, {});
+    CHECK(flat == Lobe(UniformLobe{}));
 }

@@ -10,6 +10,7 @@
 #include "core/paint/raster_texels.h"
 #include "tests/designer/rig.h"
 #include "ui/canvas_path.h"
+#include "ui/keys.h"
 
 using namespace nacre;
 
@@ -53,14 +54,23 @@ TEST_CASE("canvas: the axis of a lobe is dragged to where it leans, in one step 
 TEST_CASE("canvas: the ends of a lobe widen it, its outline turns it") {
     Rig r;
     r.layer(0).lobe = GaussianLobe{0.5, 0.2};
+    r.document().commit();
     const double degrees = 180 / 3.14159265358979;
     const auto place = [](double theta, double phi) {
         return "\"Canvas\":@" + std::to_string(theta) + "," + std::to_string(phi);
     };
     r.play("drag " + place(std::atan(0.5) * degrees, 0) + " " + place(45, 0));
     CHECK(std::get<GaussianLobe>(r.layer(0).lobe).sigma_x == doctest::Approx(1).epsilon(0.02));
+    CHECK(std::get<GaussianLobe>(r.layer(0).lobe).sigma_y == doctest::Approx(0.4).epsilon(0.02));
+    r.play("key Ctrl+Z\nframes 2");
+    // With Shift the one alone.
+    ui::tell_modifiers(ImGui::GetIO(), false, true, false);
+    r.play("drag " + place(std::atan(0.5) * degrees, 0) + " " + place(45, 0));
+    CHECK(std::get<GaussianLobe>(r.layer(0).lobe).sigma_x == doctest::Approx(1).epsilon(0.02));
+    CHECK(std::get<GaussianLobe>(r.layer(0).lobe).sigma_y == 0.2);
     r.play("frames 30\ndrag " + place(std::atan(0.2) * degrees, 90) + " " +
            place(std::atan(0.4) * degrees, 90));
+    ui::tell_modifiers(ImGui::GetIO(), false, false, false);
     const GaussianLobe lobe = std::get<GaussianLobe>(r.layer(0).lobe);
     CHECK(lobe.sigma_y == doctest::Approx(0.4).epsilon(0.02));
     // A point of the outline between two ends.
@@ -70,6 +80,25 @@ TEST_CASE("canvas: the ends of a lobe widen it, its outline turns it") {
            place(std::atan(slope) * degrees, phi + 30));
     CHECK(r.layer(0).rotation == doctest::Approx(30).epsilon(0.03));
     CHECK(std::get<GaussianLobe>(r.layer(0).lobe) == lobe);
+}
+
+TEST_CASE("canvas: the ends of a lobe too narrow to see keep apart from its axis, and widen it") {
+    Rig r;
+    r.layer(0).lobe = GgxLobe{0.002, 0.002};
+    r.document().commit();
+    r.play("frames 2\nmove \"Canvas\":@0,0");
+    const auto box = r.stage.items().rectangle("Canvas").value();
+    const HemisphereView view(r.canvas().camera, {box.z - box.x, box.w - box.y});
+    const glm::dvec2 axis = view.pixel({0, 0, 1});
+    const auto at = [&](double off) {
+        return std::to_string(static_cast<double>(box.x) + axis.x + off) + " " +
+               std::to_string(static_cast<double>(box.y) + axis.y);
+    };
+    r.play("drag " + at(11) + " " + at(33) + " 8");
+    const GgxLobe wide = std::get<GgxLobe>(r.layer(0).lobe);
+    CHECK(wide.alpha_x == doctest::Approx(0.006).epsilon(0.1));
+    CHECK(wide.alpha_y == doctest::Approx(wide.alpha_x));
+    CHECK(r.layer(0).tilt == 0);
 }
 
 TEST_CASE("canvas: a press on another layer's axis chooses it, a double click puts it upright") {
@@ -110,7 +139,7 @@ TEST_CASE("canvas: balance brings the mean normal to n in one step, or tells why
     r.document().design.distribution.layers.push_back(leaning);
     r.document().commit();
     const Design before = r.document().design;
-    r.play("frames 2\nclick \"Paint\"\nframes 2\nclick \"Balance\"\nframes 2");
+    r.play("frames 2\nclick \"Seen as\"\nclick \"Paint\"\nframes 2\nclick \"Balance\"\nframes 2");
     const dvec3 mean = r.designer().frame.p->mean();
     CHECK(std::hypot(mean.x, mean.y) < 1e-9);
     CHECK(!r.canvas().refusal);

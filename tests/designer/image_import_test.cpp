@@ -130,7 +130,7 @@ TEST_CASE("picture: it becomes the stamp in hand, or the chosen layer's modulati
     FolderRig r;
     const std::vector<float> rgb = {1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1};
     write_image(r.folder / "check.png", {2, 2}, rgb);
-    r.play(r.drop("check.png") + "click \"Stamp\"\nframes 3");
+    r.play(r.drop("check.png") + "click \"Stamp\"\nframes 3\nwait\nframes 2");
     CHECK(r.canvas().tool == ui::CanvasTool::stamp);
     REQUIRE(r.canvas().stamp < r.canvas().stamps.size());
     CHECK(r.canvas().stamps[r.canvas().stamp].name == "check");

@@ -43,7 +43,7 @@ TEST_CASE("picture notes: one line, each file once") {
 
 TEST_CASE("picture notes: a stamp, heights and a modulation tell theirs, the last one below its name too") {
     NotesRig r;
-    r.play(r.drop("wide.exr") + "click \"Stamp\"\nframes 3");
+    r.play(r.drop("wide.exr") + "click \"Stamp\"\nframes 3\nwait\nframes 2");
     CHECK(r.message() == std::string("wide.exr: ") + wide_note);
     r.designer().files.tell("");
     r.play(r.drop("wide.exr") + "click \"Modulation\"\nframes 3");

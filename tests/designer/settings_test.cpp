@@ -36,18 +36,31 @@ TEST_CASE("folders: as the XDG specification says") {
 
 TEST_CASE("settings: what is set is there again") {
     const TemporaryFolder folder;
+    const Habits habits{
+        .tool = "Smear",
+        .brush = {.radius = 3.25, .opacity = 0.1, .blend = Blend::multiply},
+        .steadiness = 12.5,
+        .own_brushes = {{"my \"own\"", {.value = 0.3}}, {"another", {.spacing = 1.5, .blend = Blend::add}}},
+        .scale = ScaleKind::logarithmic,
+        .highlight = false,
+        .object = "torus",
+        .yaw = 30.5,
+        .pitch = -20,
+        .zoom = 2};
     {
         SettingsFile file(folder / "a/b");
         CHECK(file.problem().empty());
         file.values.layout = {.panel = 31.7f, .canvas = 0.375f, .drawer = 22.1f};
         file.values.system_dialogs = false;
         file.values.picture_folder = "/pictures/\"odd\" \u00e4";
+        file.values.habits = habits;
         file.keep();
     }
     const SettingsFile file(folder / "a/b");
     CHECK(file.values.layout == Layout{31.7f, 0.375f, 22.1f});
     CHECK(!file.values.system_dialogs);
     CHECK(file.values.picture_folder == "/pictures/\"odd\" \u00e4");
+    CHECK(file.values.habits == habits);
 }
 
 TEST_CASE("settings: what a file does not say is as in a first run") {

@@ -138,7 +138,7 @@ TEST_CASE("presets: a click returns the index") {
     const std::vector<ui::PresetTile> names = {{"Gold"}, {"Satin"}, {"Velvet"}};
     std::optional<std::size_t> clicked;
     PanelRig rig([&] {
-        if (const auto now = ui::presets_panel(names, std::nullopt)) clicked = now;
+        if (const auto now = ui::presets_panel(names, std::nullopt).begun) clicked = now;
     });
     rig.click("Preset Satin");
     CHECK(clicked == 1);

@@ -31,6 +31,30 @@ TEST_CASE("layers: a width slider is logarithmic and reports its change") {
     CHECK(r.gaussian().sigma_x == 10);
     CHECK(r.gaussian().sigma_y == 0.2);
     CHECK(r.changed);
+    r.rig.enter_number("Width x", "0.4");
+    r.rig.click("Link x and y");
+    r.rig.enter_number("Width x", "0.2");
+    CHECK(r.gaussian().sigma_x == doctest::Approx(0.2));
+    CHECK(r.gaussian().sigma_y == doctest::Approx(0.1));
+    r.rig.enter_number("Width y", "0.3");
+    CHECK(r.gaussian().sigma_x == doctest::Approx(0.6));
+}
+
+TEST_CASE("layers: softness and stretch set both widths; without the numbers they are all there is") {
+    LayersRig r;
+    r.rig.frame(3);
+    r.rig.enter_number("Stretch", "4");
+    CHECK(r.gaussian().sigma_x == doctest::Approx(0.4));
+    CHECK(r.gaussian().sigma_y == doctest::Approx(0.1));
+    r.rig.enter_number("Softness", "0.1");
+    CHECK(r.gaussian().sigma_x == doctest::Approx(0.2));
+    CHECK(r.rig.has("Tilt"));
+    r.view.expert = false;
+    r.rig.frame(3);
+    CHECK(!r.rig.has("Tilt"));
+    CHECK(!r.rig.has("Width x"));
+    r.rig.enter_number("Rotation", "30");
+    CHECK(r.distribution.layers[0].rotation == 30);
 }
 
 TEST_CASE("layers: typed numbers beyond the limits are refused") {

@@ -1,4 +1,4 @@
-// Toward 1.
+// Paint as the brush has it.
 #include "core/paint/paint_tool.h"
 
 namespace nacre {
@@ -6,7 +6,7 @@ namespace {
 
 void dab(Raster& raster, const Dab& dab, Coverage& scratch) {
     cover(raster, dab, scratch);
-    scratch.pull(raster.values, [](std::size_t) { return 1.0; });
+    scratch.paint(raster.values, dab.brush);
 }
 
 void icon(const IconPen& pen) {

@@ -1,0 +1,89 @@
+#include "app/designer/panel.h"
+
+#include <imgui.h>
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "app/designer/designer.h"
+#include "app/designer/perform.h"
+#include "app/designer/scene_panel.h"
+#include "ui/item_map.h"
+#include "ui/material_panel.h"
+#include "ui/widgets.h"
+
+namespace nacre {
+namespace {
+
+void draw_material(Design& design) {
+    ui::text_field("Name##Design name", design.name, "Untitled",
+                   "The design's name: it stands in the window's title, in exported tables and in GLSL.");
+    ImGui::Spacing();
+    ui::fresnel_panel(design.fresnel);
+    ImGui::Spacing();
+    ui::diffuse_panel(design.diffuse);
+    ImGui::Spacing();
+    ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
+    ImGui::Spacing();
+    ui::heading("Note");
+    ui::note_field(design.note);
+}
+
+// Final tables of this design, if they are what the preview shows.
+std::shared_ptr<const Tables> final_tables(const Designer& designer) {
+    const bool newest = designer.baker.answered() == designer.baker.asked();
+    const auto& tables = designer.frame.tables;
+    return newest && tables && tables->quality == Quality::final ? tables : nullptr;
+}
+
+void draw_compare(Designer& designer) {
+    Design& design = designer.document.design;
+    const bool whole = designer.frame.design == design;
+    const PresentDesign present{design, whole ? final_tables(designer) : nullptr, designer.frame.settled};
+    if (auto restored = designer.comparison.draw_panel(present, designer.scene, designer.preview))
+        design = *std::move(restored);
+}
+
+}  // namespace
+
+void draw_panel(Designer& designer) {
+    Design& design = designer.document.design;
+    // So that no tab's name is cut.
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, narrow(padding.x * 0.5f, padding.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+    const bool bar = ImGui::BeginTabBar("tabs");
+    ImGui::PopStyleVar();
+    if (!bar) return;
+    const auto tab = [narrow, &designer](const char* label, const auto& contents) {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+        const bool wanted = designer.open_tab != nullptr && std::string_view(designer.open_tab) == label;
+        const bool open = ImGui::BeginTabItem(
+            label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+        if (wanted) designer.open_tab = nullptr;
+        ImGui::PopStyleVar();
+        ui::note_item(label);
+        if (!open) return;
+        ImGui::Spacing();
+        contents();
+        ImGui::EndTabItem();
+    };
+    designer.layers.thumbnails.update(designer.frame.p, designer.frame.revision);
+    bool presets = false;
+    tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
+    tab("Material", [&] { draw_material(design); });
+    tab("Light", [&] {
+        designer.environment.rows(designer.scene.environment, file_dialogs(designer));
+        scene_panel(designer.scene);
+    });
+    tab("Compare", [&] { draw_compare(designer); });
+    tab("Presets", [&] {
+        presets = true;
+        draw_presets(designer);
+    });
+    if (!presets) designer.trial.reset();
+    ImGui::EndTabBar();
+}
+
+}  // namespace nacre

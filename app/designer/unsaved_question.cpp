@@ -1,0 +1,25 @@
+#include "app/designer/unsaved_question.h"
+
+#include "ui/dialogs.h"
+
+namespace nacre {
+namespace {
+
+std::optional<UnsavedAnswer> ask(const std::string& text, const char* keep) {
+    const auto answer = ui::question("Unsaved changes", text, {keep, "Discard", "Cancel"});
+    if (!answer) return {};
+    return static_cast<UnsavedAnswer>(*answer);
+}
+
+}  // namespace
+
+std::optional<UnsavedAnswer> ask_about_unsaved(const std::string& name) {
+    return ask("\u201c" + name + "\u201d has changes that are not saved.", "Save");
+}
+
+std::optional<UnsavedAnswer> ask_about_unsaved_elsewhere(const std::string& name) {
+    return ask("\u201c" + name + "\u201d, the design before this one, has changes that are not saved.",
+               "Bring back");
+}
+
+}  // namespace nacre

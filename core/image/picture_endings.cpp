@@ -1,0 +1,12 @@
+#include "core/image/picture.h"
+
+namespace nacre {
+
+const std::vector<std::string>& picture_endings() {
+    static const std::vector<std::string> endings = {
+        ".exr", ".hdr", ".tif", ".tiff", ".pfm", ".ppm", ".png",  ".jpg",  ".jpeg", ".webp",
+        ".tga", ".bmp", ".psd", ".dds",  ".jp2", ".j2k", ".heic", ".heif", ".avif"};
+    return endings;
+}
+
+}  // namespace nacre

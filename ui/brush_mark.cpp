@@ -1,0 +1,124 @@
+#include "ui/brush_mark.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/paint/painted_layer.h"
+#include "core/paint/tip.h"
+#include "ui/canvas_path.h"
+#include "ui/canvas_tools.h"
+#include "ui/stamp_picture.h"
+#include "ui/theme.h"
+
+namespace nacre::ui {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+constexpr int footprint_steps = 64;
+constexpr double line_width = 0.4 * radians;  // of the brush's edge on the object
+constexpr Colour ghost{1, 1, 1, 0.6f};
+constexpr Colour ghost_of_copy{1, 1, 1, 0.25f};
+
+// The layer that the next stroke will paint on.
+Layer painted_or_new(const Distribution& distribution, std::size_t chosen) {
+    const auto& layers = distribution.layers;
+    const bool painted = chosen < layers.size() && std::holds_alternative<PaintedLobe>(layers[chosen].lobe);
+    return painted ? layers[chosen] : Layer{};
+}
+
+// What the stamp would do at a normal of the layer's frame.
+std::optional<Dab> stamp_in_hand(const CanvasState& state, const Layer& layer, dvec3 at) {
+    const auto tool = paints_with(state.tool);
+    if (!tool || info(*tool).needs != ToolNeed::picture || state.stamp >= state.stamps.size()) return {};
+    return Dab{.brush = state.brush,
+               .symmetry = {},
+               .at = at,
+               .tip = state.stamps[state.stamp].picture.get(),
+               .to_tip = stamp_from_layer(layer, at, state.pose)};
+}
+
+// The edge of what a dab covers, about `middle` in the layer's frame.
+dvec3 round_edge(dvec3 middle, double angle, double t) {
+    const double psi = 2 * std::numbers::pi * t;
+    return shortest_rotation({0, 0, 1}, middle) *
+           dvec3(std::sin(angle) * std::cos(psi), std::sin(angle) * std::sin(psi), std::cos(angle));
+}
+
+void outline(const CanvasFrame& frame, const std::function<dvec3(double)>& at, bool strong) {
+    const float scale = ImGui::GetFontSize() / 15;
+    if (strong) draw_path(frame, at, footprint_steps, IM_COL32(0, 0, 0, 150), 3.2f * scale);
+    const Colour colour{1, 1, 1, strong ? 0.95f : 0.4f};
+    draw_path(frame, at, footprint_steps, ImGui::GetColorU32(colour), (strong ? 1.4f : 1.0f) * scale);
+}
+
+// A full ring covers all normals between two polar angles.
+void draw_ring(const CanvasFrame& frame, const glm::dmat3& place, double theta, double radius) {
+    for (const double edge : {theta - radius, theta + radius}) {
+        if (edge <= 0 || edge >= 0.5 * std::numbers::pi) continue;
+        outline(
+            frame,
+            [&](double t) {
+                return place * round_edge({0, 0, 1}, edge, t);
+            },
+            true);
+    }
+}
+
+// `to` takes the layer's frame to the surface's.
+void draw_ghost(const CanvasFrame& frame, const glm::dmat3& to, const Dab& stamp, bool strong) {
+    const Tip tip(stamp);
+    const auto place = [&](glm::dvec2 at) -> std::optional<ImVec2> {
+        const dvec3 h = to * tip.direction(at);
+        return frame.view.hidden(h) ? std::nullopt : std::optional(frame.screen(h));
+    };
+    draw_stamp(*stamp.tip, place, strong ? ghost : ghost_of_copy);
+}
+
+}  // namespace
+
+void draw_brush(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    const std::optional<dvec3>& at = frame.cursor ? frame.cursor : contents.marked;
+    const auto tool = paints_with(state.tool);
+    if (!at || !tool) return;
+    const PaintToolInfo& kind = info(*tool);
+    const auto* dabs = std::get_if<DabTool>(&kind.work);
+    const Layer layer = painted_or_new(*contents.design, contents.chosen);
+    const glm::dmat3 place = layer_frame(layer);
+    const dvec3 middle = above_horizon(glm::transpose(place) * *at);
+    const double radius = state.brush.radius * radians;
+    if (glm::dot(middle, glm::transpose(place) * *at) < -0.5) return;
+    if (state.symmetry.kind == SymmetryKind::ring && dabs != nullptr && dabs->follows_way)
+        draw_ring(frame, place, angle_between({0, 0, 1}, middle), radius);
+    const auto images = symmetry_images(state.symmetry);
+    const auto stamp = stamp_in_hand(state, layer, middle);
+    for (std::size_t i = images.size(); i-- > 0;) {
+        const glm::dmat3 to = place * images[i];
+        const bool first = i == 0;
+        if (stamp) {
+            draw_ghost(frame, to, *stamp, first);
+            continue;
+        }
+        outline(
+            frame, [&](double t) { return to * round_edge(middle, radius, t); }, first);
+        if (first && state.brush.hardness > 0.05 && state.brush.hardness < 0.95)
+            outline(
+                frame, [&](double t) { return to * round_edge(middle, radius * state.brush.hardness, t); },
+                false);
+    }
+}
+
+std::function<double(dvec3 h)> brush_veil(const CanvasState& state, const Distribution& distribution,
+                                          std::size_t chosen, dvec3 at) {
+    if (!paints_with(state.tool)) return {};
+    const Layer layer = painted_or_new(distribution, chosen);
+    const glm::dmat3 place = layer_frame(layer);
+    if (const auto stamp = stamp_in_hand(state, layer, above_horizon(glm::transpose(place) * at)))
+        return [place, tip = Tip(*stamp)](dvec3 h) { return tip(h * place); };
+    const double radius = state.brush.radius * radians;
+    return [at, radius](dvec3 h) {
+        const double off = (angle_between(h, at) - radius) / line_width;
+        return std::exp(-off * off);
+    };
+}
+
+}  // namespace nacre::ui
