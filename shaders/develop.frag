@@ -5,8 +5,8 @@
 // a plain number through a colour map.
 
 uniform sampler2D radiance;
-uniform sampler2D gathered;  // of surroundings: a sum, and of how many samples
-uniform bool surrounded;
+uniform sampler2D accumulated;  // of the environment: a sum of samples, and their number
+uniform bool has_environment;
 uniform int supersample;  // texels a pixel, each way
 uniform float exposure;   // factor
 uniform bool linear;
@@ -54,8 +54,8 @@ void main() {
         for (int i = 0; i < supersample; ++i) {
             ivec2 at = pixel * supersample + ivec2(i, j);
             vec3 texel = texelFetch(radiance, at, 0).rgb;
-            if (surrounded) {
-                vec4 light = texelFetch(gathered, at, 0);
+            if (has_environment) {
+                vec4 light = texelFetch(accumulated, at, 0);
                 texel += light.rgb / max(light.a, 1.0);
             }
             texel *= exposure;

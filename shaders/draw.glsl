@@ -34,7 +34,7 @@ float all_seen(sampler2D order, vec3 k) {
     return 0.25 * dot(four_seen(order, 0, k), vec4(1.0));
 }
 
-// `at` in [0, 1) parts the directions by what k sees of them. A weight of 0: k sees none.
+// `at` in [0, 1) selects a direction in proportion to what k sees of it. A weight of 0: k sees none.
 Drawn draw(sampler2D order, vec3 k, float at) {
     Drawn drawn = Drawn(k, 1.0);
     int range = 0;

@@ -1,9 +1,9 @@
-// The surroundings by latitude and longitude; core/image/lat_long.h says which way is which.
+// The lat-long environment map; core/image/lat_long.h says which way is which.
 
 uniform sampler2D environment_picture;  // radiance; row 0 touches the zenith
 uniform mat3 view_to_environment;
 
-// In parts of the picture's width and height, from the left and from the top.
+// As fractions of the picture's width and height, from the left and from the top.
 vec2 lat_long_place(vec3 direction) {
     float level = length(direction.xz);
     float u = level > 0.0 ? atan(direction.x, -direction.z) / (2.0 * TABLE_PI) : 0.0;

@@ -35,7 +35,7 @@ vec3 shown_brdf(Direction a, Direction b) {
 }
 
 #if HAS_ALBEDO
-// Of a constant surrounding of radiance 1, what leaves toward k.
+// Of a constant environment of radiance 1, what leaves toward k.
 vec3 shown_albedo(Direction a) {
 #if CLOSED_FORM
     bool alone = closed_form.model == MODEL_OREN_NAYAR;

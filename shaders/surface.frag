@@ -12,7 +12,7 @@ uniform vec3 light_irradiance[LIGHTS];  // on a surface that faces it
 #if AMBIENT_LIGHT
 uniform vec3 ambient_radiance;
 #endif
-#if SURROUNDINGS
+#if ENVIRONMENT_BEHIND
 uniform float environment_brightness;  // factor
 uniform float background_slope;  // of the view's rays, per unit of view space beside the middle
 #else
@@ -59,8 +59,8 @@ vec3 shade(mat3 frame) {
 #endif
 }
 
-#if SURROUNDINGS
-// What stands behind the object, seen in perspective: the object's own viewer is too far away to see more than a
+#if ENVIRONMENT_BEHIND
+// The background behind the object, seen in perspective: the object's own viewer is too far away to see more than a
 // point of it.
 vec3 wall(vec2 at) {
     vec3 ray = normalize(vec3(at * background_slope, -1.0));

@@ -8,9 +8,9 @@
 namespace nacre::ui {
 namespace {
 
-constexpr double lean_kept = 1e-5;  // degrees: what rounding leaves
+constexpr double tilt_kept = 1e-5;  // degrees: what rounding leaves
 
-bool leans(const std::optional<dvec3>& mean) { return mean && polar_angle(*mean) > lean_kept; }
+bool is_tilted(const std::optional<dvec3>& mean) { return mean && polar_angle(*mean) > tilt_kept; }
 
 }  // namespace
 
@@ -18,9 +18,9 @@ void balance_button(CanvasState& state, const std::optional<dvec3>& mean, Distri
     if (!button(balance_text,
                 "Change how many facets there are of each normal, as little as can be, so that their mean "
                 "normal is n: p exp(\u03bb\u00b7h)/Z, the nearest to p in relative entropy. Paint fades on "
-                "the heavier side and grows on the lighter; lobes change their weight and lean a little. "
-                "Nothing of the picture moves far: Straighten turns it as a whole instead.",
-                leans(mean)))
+                "the heavier side and grows on the lighter; lobes change their weight and tilt a little. "
+                "No part of the picture moves far: Straighten turns it as a whole instead.",
+                is_tilted(mean)))
         return;
     try {
         distribution = balanced(distribution);
@@ -30,11 +30,12 @@ void balance_button(CanvasState& state, const std::optional<dvec3>& mean, Distri
 }
 
 void straighten_button(const std::optional<dvec3>& mean, Distribution& distribution) {
-    if (button("Straighten",
-               "Turn all layers together by the smallest angle that brings the mean normal to n. While it "
-               "leans, facets on one side show more area than the surface has; Keep energy then counts none "
-               "twice.",
-               leans(mean)))
+    if (button(
+            "Straighten",
+            "Turn all layers together by the smallest angle that brings the mean normal to n. While it "
+            "is tilted, facets on one side show more area than the surface has, and Conserve energy limits "
+            "what is seen of them.",
+            is_tilted(mean)))
         straighten(distribution, *mean);
 }
 

@@ -63,7 +63,7 @@ void list_of_brushes(CanvasState& state) {
 
 void keep_as(CanvasState& state) {
     text_field("Name##Brush name", state.brush_name, "of a brush of your own",
-               "What the brush as it is now is to be called.");
+               "A name for the current brush.");
     const auto same = [&](const NamedBrush& named) { return named.name == state.brush_name; };
     const auto found = std::find_if(state.own_brushes.begin(), state.own_brushes.end(), same);
     const bool room = found != state.own_brushes.end() || state.own_brushes.size() < own_brushes_max;
@@ -113,7 +113,7 @@ void brush_settings(CanvasState& state) {
             .reset = 0,
             .format = "%.0f px",
             .logarithmic = false,
-            .tooltip = "The brush hangs behind the pointer on a string this long, which smooths its way."},
+            .tooltip = "The brush trails the pointer on a string of this length, which smooths its path."},
            state.steadiness);
     ImGui::Spacing();
     keep_as(state);

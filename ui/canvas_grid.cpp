@@ -113,11 +113,11 @@ void draw_mark(const CanvasFrame& frame, dvec3 h) {
     }
 }
 
-double lean_of_mean(const FacetDistribution& p) { return polar_angle(p.mean()); }
+double tilt_of_mean(const FacetDistribution& p) { return polar_angle(p.mean()); }
 
 void draw_mean_normal(const CanvasFrame& frame, const FacetDistribution& p) {
-    const double lean = lean_of_mean(p);
-    const Colour& colour = lean < lean_noticed ? palette::green : palette::amber;
+    const double tilt = tilt_of_mean(p);
+    const Colour& colour = tilt < tilt_noticed ? palette::green : palette::amber;
     const dvec3 mean = glm::normalize(p.mean());
     const float scale = ImGui::GetFontSize() / 15;
     const ImU32 ink = ImGui::GetColorU32(colour), outline = ImGui::GetColorU32(ImVec4(0, 0, 0, 0.55f));

@@ -12,7 +12,7 @@ namespace nacre::ui {
 namespace {
 
 constexpr float reach = 9;    // pixels within which a press takes a handle
-constexpr double apart = 11;  // pixels from the axis at the least, else an end cannot be told from it
+constexpr double apart = 11;  // at least, pixels from the axis, else an end cannot be told from it
 constexpr int outline_steps = 240;
 
 float scale() { return ImGui::GetFontSize() / 15; }

@@ -173,7 +173,7 @@ void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& m
     if (turned) {
         stay_on_line(turns, gap);
         whole_number("Turns", "\u00d7 %.0f", {turns_min, turns_max, BrushSymmetry{}.turns}, turns,
-                     "How many copies stand about the axis, evenly turned.", state.symmetry.turns);
+                     "How many copies, evenly rotated about the axis.", state.symmetry.turns);
     }
     stay_on_line(button_width(brush_settings_text), gap);
     brush_settings(state);

@@ -6,7 +6,7 @@ namespace {
 constexpr ToolFace handles_face{.name = "Handles",
                                 .key = 'V',
                                 .about = "Shapes lobes by their handles.",
-                                .more = "The middle leans a lobe, its ends widen it, its outline turns it.",
+                                .more = "The middle tilts a lobe, its ends widen it, its outline turns it.",
                                 .icon = [](const IconPen& pen) {
                                     pen.fill({{0.30f, 0.15f}, {0.30f, 0.72f}, {0.46f, 0.58f}});
                                     pen.fill({{0.30f, 0.15f}, {0.46f, 0.58f}, {0.72f, 0.56f}});

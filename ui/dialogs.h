@@ -40,7 +40,7 @@ enum class DialogAnswer { none, accepted, cancelled };
 // folder is asked for the one that is shown is accepted while nothing is typed.
 DialogAnswer file_dialog(FileDialog& dialog, const ListDirectory& list, std::filesystem::path& chosen);
 
-// A modal window in the middle, `ems` text sizes broad and as high as what it holds. Where this returns true
+// A modal window in the middle, `ems` text sizes wide and as high as what it holds. Where this returns true
 // end_dialog() follows, which closes it where `done`.
 bool begin_dialog(const char* title, float ems);
 void end_dialog(bool done);

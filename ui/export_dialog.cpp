@@ -45,25 +45,24 @@ void options(ExportDialog& dialog) {
         pixel_row("Height", dialog.height);
         return;
     }
-    slider(
-        {.label = "Error tolerance",
-         .low = 1e-4,
-         .high = 1e-2,
-         .least = 1e-5,
-         .most = 0.1,
-         .reset = 1e-3,
-         .format = "%.1e",
-         .logarithmic = true,
-         .tooltip =
-             "The error that the tables are made for: the relative error of the projected area g, and that "
-             "of the "
-             "albedo R as a fraction of the incident light. Smaller errors need larger tables; all of them "
-             "together take 64 KiB at the most, or 256 KiB where that does not suffice."},
-        dialog.tolerance);
+    slider({.label = "Error tolerance",
+            .low = 1e-4,
+            .high = 1e-2,
+            .least = 1e-5,
+            .most = 0.1,
+            .reset = 1e-3,
+            .format = "%.1e",
+            .logarithmic = true,
+            .tooltip =
+                "The error that the tables are made for: the relative error of the projected area g, and the "
+                "error of the albedo R as a fraction of the incident light. Smaller errors need larger "
+                "tables; all "
+                "of them together take at most 64 KiB, or 256 KiB where that does not suffice."},
+           dialog.tolerance);
     if (dialog.formats[dialog.chosen].has_names)
         text_field(
             "Prefix", dialog.prefix, "",
-            "What the names in the file begin with. Designs with different prefixes fit into one shader.");
+            "The prefix of the names in the file. Designs with different prefixes fit into one shader.");
     else
         ImGui::Dummy(ImVec2(0, ImGui::GetFrameHeight()));  // as high as the two rows of a picture
 }

@@ -107,8 +107,8 @@ std::string at_rest(const CanvasFrame& frame, const FacetDistribution& p) {
             if (ImGui::CalcTextSize(words).x < 0.65f * (frame.high.x - frame.low.x)) return words;
         return "";
     }
-    const double lean = lean_of_mean(p);
-    return lean < lean_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", lean);
+    const double tilt = tilt_of_mean(p);
+    return tilt < tilt_noticed ? "mean normal along n" : fmt::format("mean normal {:.1f}\u00b0 off n", tilt);
 }
 
 void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {

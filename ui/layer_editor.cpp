@@ -85,7 +85,7 @@ bool direction(Layer& layer) {
     return slider(
         angle_spec("Direction##Rotation", -180, 180, limits::angle_max,
                    "Turns the lobe about its own axis, from x toward y: what is stretched along x at "
-                   "0\u00b0 is along y at 90\u00b0. h is turned back about z before p is asked."),
+                   "0\u00b0 is along y at 90\u00b0. h is turned back about z before p is evaluated."),
         layer.rotation);
 }
 
@@ -93,14 +93,13 @@ bool orientation(Layer& layer) {
     bool changed = direction(layer);
     changed |= slider(
         angle_spec("Tilt", 0, 90, limits::tilt_max,
-                   "Then leans the lobe's axis away from the surface normal by this angle \u03b8, and the "
+                   "Then tilts the lobe's axis away from the surface normal by this angle \u03b8, and the "
                    "highlight moves to the other side. Slanted fibres and the sides of grooves are tilted "
                    "lobes."),
         layer.tilt);
     changed |= slider(angle_spec("Azimuth", -180, 180, limits::angle_max,
-                                 "The direction toward which it leans: the axis is (sin \u03b8 cos \u03c6, "
-                                 "sin \u03b8 sin \u03c6, cos "
-                                 "\u03b8), \u03c6 from x toward y."),
+                                 "The direction of the tilt: the axis is (sin \u03b8 cos \u03c6, "
+                                 "sin \u03b8 sin \u03c6, cos \u03b8), \u03c6 from x toward y."),
                       layer.azimuth);
     return changed;
 }

@@ -5,7 +5,7 @@
 namespace nacre::ui {
 
 std::string picture_text(const Picture& picture) {
-    const std::string where = picture.file.empty() ? "in the design" : picture.file.filename().string();
+    std::string where = picture.file.empty() ? "in the design" : picture.file.filename().string();
     if (!picture.raster) return where;
     return where + ", " + std::to_string(picture.raster->width) + " \u00d7 " +
            std::to_string(picture.raster->height);

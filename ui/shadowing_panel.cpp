@@ -9,11 +9,11 @@ bool shadowing_panel(Shadowing& shadowing, double& mean_cosine_scale) {
         "(k\u00b7n)/g(k) (eq. 25).",
         []<class T>() { return T{}; });
     changed |= kind_fields(shadowing.model);
-    changed |= checkbox(
-        "Keep energy##Clamp", shadowing.clamp,
-        "Masking never brightens: P = min(1, N (k\u00b7n)/g(k)), so no distribution reflects "
-        "more light than it gets. A p whose mean leans is dimmer for it on one side. Off: the paper's own "
-        "form, P = N (k\u00b7n)/g(k) (eq. 25).");
+    changed |= checkbox("Conserve energy##Clamp", shadowing.clamp,
+                        "Masking never brightens: P = min(1, N (k\u00b7n)/g(k)), so no distribution reflects "
+                        "more light than it gets. A p whose mean is tilted is dimmer for it on one side. "
+                        "Off: the paper's own "
+                        "form, P = N (k\u00b7n)/g(k) (eq. 25).");
     changed |= slider(
         {.label = "Mean cosine",
          .low = 0.5,

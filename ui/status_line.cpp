@@ -37,7 +37,7 @@ void next_part(const char* widest) {
 }
 
 std::string list_of(const std::vector<std::string>& left_out) {
-    std::string text = "What neither tables nor shader need for this design, and so do without:";
+    std::string text = "Left out of tables and shader, since this design does not need it:";
     for (const std::string& line : left_out) text += "\n\u2013 " + line;
     return text;
 }
@@ -52,8 +52,8 @@ void tables_parts(const TablesStatus& baked, bool expert) {
          baked.valid
              ? "The mean facet normal lies along n, as on every real surface: \u222b h p(h) dh is "
                "parallel to n, and facets show as much area as the surface has."
-             : "The mean facet normal \u222b h p(h) dh leans away from n: seen from one side the "
-               "facets show more area than the surface has. While Keep energy is on, visibility is held "
+             : "The mean facet normal \u222b h p(h) dh is tilted away from n: seen from one side the "
+               "facets show more area than the surface has. While Conserve energy is on, visibility is held "
                "at 1 there, so nothing reflects more than it gets, but the highlight is dimmer on that "
                "side. Balance and Straighten bring the mean to n.");
     next_part("mean normal tilted 90.0\u00b0");

@@ -39,7 +39,7 @@ bool text_field(const char* label, std::string& text, const char* hint = "", con
 bool note_field(std::string& text);
 
 bool button(const char* label, const char* tooltip = nullptr, bool enabled = true, float width = 0);
-float button_width(const char* label);      // of one as broad as its text, pixels
+float button_width(const char* label);      // of one as wide as its text, pixels
 void stay_on_line(float width, float gap);  // for a widget of this width, if it fits there
 void heading(const char* text);
 // A foldable part of a panel, open at first.

@@ -31,7 +31,7 @@ Option Option::within(double low, double high) const {
         [=](std::string& text) {
             double value = 0;
             const bool within = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-            return within ? std::string() : fmt::format("{} is no number from {} to {}", text, low, high);
+            return within ? std::string() : fmt::format("{} is not a number from {} to {}", text, low, high);
         },
         fmt::format("FROM {} TO {}", low, high)));
     return *this;

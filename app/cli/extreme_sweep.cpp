@@ -101,11 +101,8 @@ std::string summary_of(const Sweep& sweep) {
     };
     const auto refused = count([](const ExtremeResult& r) { return !r.refusal.empty(); });
     return fmt::format(
-        "{} designs: {} refused, {} baked; {} fail. Of the baked ones the plain grid errs by more than {:g} "
-        "% "
-        "of g in {} and by more than {:g} of R in {}, and makes a rho that is no number, infinite or "
-        "negative "
-        "in {}.\n",
+        "{} designs: {} refused, {} baked; {} fail. Of the baked ones the plain grid has an error above "
+        "{:g} % of g in {} and above {:g} of R in {}, and a rho that is NaN, infinite or negative in {}.\n",
         sweep.cases.size(), refused, sweep.cases.size() - static_cast<std::size_t>(refused), sweep.failed(),
         100 * far_area, count([](const ExtremeResult& r) { return !(r.plain.area <= far_area); }), far_albedo,
         count([](const ExtremeResult& r) { return !(r.plain.albedo <= far_albedo); }),

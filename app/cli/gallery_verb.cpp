@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *sheet_name = "contact-sheet", *picture_ending = ".png";
+constexpr const char *sheet_name = "contact-sheet", *picture_extension = ".png";
 
 struct GalleryOptions {
     std::string designs;
@@ -61,7 +61,7 @@ std::vector<fs::path> pictures_of(const std::vector<fs::path>& designs,
     for (const fs::path& design : designs) stems.push_back(design.stem().string());
     std::vector<fs::path> pictures;
     for (const std::string& name : distinct_names(stems, sheets, folder))
-        pictures.push_back(folder / (name + picture_ending));
+        pictures.push_back(folder / (name + picture_extension));
     return pictures;
 }
 
@@ -111,12 +111,13 @@ class SheetWriter {
         if (sheet_.empty()) return;
         const RenderedImage picture = sheet_.take();
         const ImageBytes bytes = image_bytes(ImageFormat::png, picture.size, picture.rgb);
-        const fs::path file = folder_ / (names_[written_++] + picture_ending);
+        const fs::path file = folder_ / (names_[written_++] + picture_extension);
         interrupt_.write_files([&] { write_file_atomically(file, text_of(bytes)); });
     }
     // What was written, in words.
     std::string text() const {
-        return written_ == 1 ? names_.front() + picture_ending : fmt::format("{} contact sheets", written_);
+        return written_ == 1 ? names_.front() + picture_extension
+                             : fmt::format("{} contact sheets", written_);
     }
 
   private:
@@ -133,7 +134,7 @@ int gallery(const GalleryOptions& options, Interrupt& interrupt) {
     const std::vector<fs::path> targets = pictures_of(files, sheet_names, options.output);
     std::vector<fs::path> outputs = targets;
     for (const std::string& name : sheet_names)
-        outputs.push_back(fs::path(options.output) / (name + picture_ending));
+        outputs.push_back(fs::path(options.output) / (name + picture_extension));
     check_all(files, outputs, options.scene, interrupt);
     const Scene scene = options.scene.scene();
     const OutputFolder folder(options.output);

@@ -77,7 +77,7 @@ std::string name_of_table(const TablePicture& picture) {
 std::string size_reason(const char* quantity, const TableError& error, const std::vector<TriedSize>& tried) {
     std::vector<std::string> sizes;
     for (const TriedSize& size : tried)
-        sizes.push_back(fmt::format("{} x {} errs {:.1e}", size.nodes.polar, size.nodes.azimuth, size.worst));
+        sizes.push_back(fmt::format("{} x {} with {:.1e}", size.nodes.polar, size.nodes.azimuth, size.worst));
     return fmt::format("  {}  worst {:.1e}, root mean square {:.1e}, {} directions; tried: {}\n", quantity,
                        error.worst, error.root_mean_square, error.directions, fmt::join(sizes, ", "));
 }

@@ -14,7 +14,7 @@ struct OutputOption {
     std::string file;    // "-": standard output
     std::string format;  // of standard output, empty for the first there is
 
-    // A name whose ending tells the format.
+    // A name whose extension tells the format.
     std::string named() const;
     // What is to be checked against the inputs.
     std::vector<std::filesystem::path> outputs() const;

@@ -30,7 +30,7 @@ bool parse_size(std::string_view text, int smallest, glm::ivec2& size) {
            parse_side(text.substr(cross + 1), smallest, size.y);
 }
 
-std::shared_ptr<const Environment> load_surrounding(const std::string& name) {
+std::shared_ptr<const Environment> load_environment_named(const std::string& name) {
     if (name != stream_name) return load_environment(name);
     const MemoryFile input = spooled_input();
     try {
@@ -71,7 +71,7 @@ Scene SceneOptions::scene() const {
     scene.object = make_object(object);
     if (!scene.object.note.empty()) warn(object, scene.object.note);
     if (!environment.empty()) {
-        scene.environment = {load_surrounding(environment), rotation, brightness, backdrop,
+        scene.environment = {load_environment_named(environment), rotation, brightness, backdrop,
                              !name.empty() || !light.empty()};
         for (const std::string& note : scene.environment.picture->notes) warn(environment, note);
     }
@@ -101,10 +101,9 @@ void add_scene_options(Command& command, SceneOptions& options) {
     for (const ProceduralEnvironment* known : procedural_environments()) names.emplace_back(known->name);
     command.option(
         "--environment", options.environment,
-        fmt::format(
-            "light from all around in place of the lights: {}, or a picture by latitude and longitude; - is "
-            "standard input",
-            fmt::join(names, ", ")));
+        fmt::format("light from all around in place of the lights: {}, or a lat-long picture; - is "
+                    "standard input",
+                    fmt::join(names, ", ")));
     command.option("--rotation", options.rotation, "turns the environment to the right, degrees (default 0)")
         .within(-360, 360);
     command.option("--brightness", options.brightness, "factor of the environment (default 1)")

@@ -110,9 +110,8 @@ void declare(Command& command, Action& action) {
         .required();
     add_folder_option(command, options->folder, "the folder for the report, made when it is not there");
     command
-        .option(
-            "--longest", options->longest,
-            "seconds: no way of computing goes on to more nodes or samples after a table that took longer")
+        .option("--longest", options->longest,
+                "seconds: no method goes on to more nodes or samples after a table that took longer")
         .shows_default()
         .within(1e-6, 60.0);
     command.when_chosen([options, &action] {
@@ -124,6 +123,6 @@ void declare(Command& command, Action& action) {
 
 }  // namespace
 
-const Verb report_verb{"report", "error against run time of each way of computing g and R", declare};
+const Verb report_verb{"report", "error against run time of each method of computing g and R", declare};
 
 }  // namespace nacre::cli

@@ -188,7 +188,7 @@ void Autosave::take_over(RecoveredWork found) {
         found.folder.erase();
         wanted_ = std::move(found.work);
     } catch (const std::exception&) {
-        problem_ = problem_line();  // it is written anew, and what was left stays
+        problem_ = problem_line();  // it is written again, and what was left stays
     }
 }
 

@@ -1,5 +1,5 @@
 // The question about files that the work refers to and that are not as they were when they were read: the
-// design's pictures, the surroundings, the object. One question names all of them.
+// design's pictures, the environment map, the object. One question names all of them.
 #pragma once
 
 #include <optional>

@@ -52,7 +52,7 @@ void ComparedPictures::begin(Preview& now, const Scene& scene, glm::ivec2 texels
 }
 
 void ComparedPictures::refine(Preview& now, double seconds, const CompareLook& look) {
-    const GatherProgress before = progress(now, look);
+    const SampleProgress before = progress(now, look);
     if (before.samples >= before.goal) return;
     const std::vector<Preview*> previews = shown(now, look);
     for (Preview* preview : previews) preview->refine(seconds / static_cast<double>(previews.size()));
@@ -60,9 +60,9 @@ void ComparedPictures::refine(Preview& now, double seconds, const CompareLook& l
         draw_difference(now, begun_scene_, begun_texels_, look.difference);
 }
 
-GatherProgress ComparedPictures::progress(const Preview& now, const CompareLook& look) const {
+SampleProgress ComparedPictures::progress(const Preview& now, const CompareLook& look) const {
     if (look.view == ui::CompareView::off) return now.progress();
-    const GatherProgress left = side(0, now).progress(), right = side(1, now).progress();
+    const SampleProgress left = side(0, now).progress(), right = side(1, now).progress();
     return left.samples < right.samples ? left : right;
 }
 

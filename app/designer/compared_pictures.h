@@ -38,7 +38,7 @@ class ComparedPictures {
     void begin(Preview& now, const Scene& scene, glm::ivec2 texels, int supersample, int goal,
                const CompareLook& look);
     void refine(Preview& now, double seconds, const CompareLook& look);
-    GatherProgress progress(const Preview& now, const CompareLook& look) const;  // of the side that is behind
+    SampleProgress progress(const Preview& now, const CompareLook& look) const;  // of the side that is behind
 
     // Puts the pictures into the current Dear ImGui window.
     void paint(const Preview& now, const CompareLook& look, ImVec2 corner, ImVec2 size) const;

@@ -96,9 +96,9 @@ std::vector<ui::SideChoice> Comparison::choices(const Scene& scene) const {
     for (const ComparisonModel& comparison_model : all_comparison_models()) {
         const bool model = is_model(id);
         std::string about = citation_of(comparison_model) + ".\n";
-        about += model ? "The model whose facets lean as far as those of p, with the design's own Fresnel "
+        about += model ? "The model with the median facet slope of p, and with the design's own Fresnel "
                          "factor and diffuse term."
-                       : "The design's own p, with this masking in the place of its own.";
+                       : "The design's own p, with this masking in place of its own.";
         if (comparison_model == ComparisonModel(ClosedFormModel::oren_nayar))
             about = citation_of(comparison_model) +
                     ".\nA matt surface of rough facets, whose angles spread as those of p and which is as "

@@ -52,8 +52,7 @@ void draw_dialogs(Designer& designer) {
     tell(designer, designer.pictures.take_note());
     tell(designer, designer.stamps.take_note());
     if (auto stamp = designer.pictures.take_stamp()) designer.stamps.want(std::move(*stamp));
-    if (auto surroundings = designer.pictures.take_surroundings())
-        designer.environment.want(surroundings->string());
+    if (auto picture = designer.pictures.take_environment()) designer.environment.want(picture->string());
 }
 
 bool talking(const Designer& designer) {

@@ -24,13 +24,13 @@ FileQuestion picture_question(const fs::path& folder) {
     return {.purpose = ui::FileDialog::Purpose::open,
             .title = "Open environment map",
             .folder = folder,
-            .kind = "Picture by latitude and longitude",
-            .endings = picture_endings()};
+            .kind = "Lat-long picture",
+            .extensions = picture_extensions()};
 }
 
 // An entry of the list of environments; without words about it, it speaks for itself.
 struct Entry {
-    std::string name;  // as surroundings are called
+    std::string name;  // of the environment
     std::string label;
     const char* about = nullptr;
 };
@@ -38,9 +38,8 @@ struct Entry {
 // A list whose entries can be found by their labels. Returns whether another was chosen.
 bool choose(const std::vector<Entry>& entries, std::size_t& chosen) {
     constexpr const char* about =
-        "Light from all around in place of the lights: a picture of the surroundings by latitude and "
-        "longitude, "
-        "whose middle stands behind the object. The preview grows finer while nothing moves.";
+        "An environment replaces the lights: a lat-long picture whose middle is behind the object. The "
+        "preview grows finer while nothing moves.";
     const std::size_t before = chosen;
     ui::row_label("Environment", about);
     if (ImGui::BeginCombo("##Environment", entries[chosen].label.c_str())) {
@@ -78,8 +77,8 @@ void EnvironmentPanel::want(std::string name_or_file) {
     asked_ = job_.submit(*wanted_);
 }
 
-void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<DialogProgram>& dialogs) {
-    std::string present = surroundings.picture ? surroundings.picture->name : "";
+void EnvironmentPanel::rows(SceneEnvironment& environment, const std::optional<DialogProgram>& dialogs) {
+    std::string present = environment.picture ? environment.picture->name : "";
     if (wanted_) present = *wanted_;
     if (!present.empty() && !is_procedural(present)) last_file_ = present;
 
@@ -97,16 +96,16 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
         if (chosen == open_picture) {
             chooser_.ask(picture_question(fs::path(last_file_).parent_path()), dialogs);
         } else if (chosen == 0) {
-            surroundings.picture.reset();
+            environment.picture.reset();
             held_.clear();
             wanted_.reset();
         } else {
             want(entries[chosen].name);
         }
     }
-    if (!surroundings.picture) return;
-    ui::notes_row(surroundings.picture->notes);
-    const Surroundings usual;
+    if (!environment.picture) return;
+    ui::notes_row(environment.picture->notes);
+    const SceneEnvironment usual;
     ui::slider(
         {.label = "Rotation##Environment rotation",
          .low = -180,
@@ -117,8 +116,8 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
          .format = "%.1f\u00b0",
          .logarithmic = false,
          .tooltip =
-             "Turns the surroundings about the vertical, to the right. Dragging on the object does too."},
-        surroundings.rotation);
+             "Turns the environment about the vertical, to the right. Dragging on the object does too."},
+        environment.rotation);
     ui::slider({.label = "Brightness##Environment brightness",
                 .low = 0.05,
                 .high = 20,
@@ -127,18 +126,18 @@ void EnvironmentPanel::rows(Surroundings& surroundings, const std::optional<Dial
                 .reset = usual.brightness,
                 .format = "%.2f",
                 .logarithmic = true,
-                .tooltip = "A factor of the light from all around."},
-               surroundings.brightness);
-    ui::checkbox("Show as background", surroundings.visible, "Shows the surroundings behind the object.");
-    ui::checkbox("Keep scene lights", surroundings.with_lights,
-                 "The lights below shine together with the surroundings.");
+                .tooltip = "A factor of the environment's radiance."},
+               environment.brightness);
+    ui::checkbox("Show as background", environment.visible, "Shows the environment behind the object.");
+    ui::checkbox("Keep scene lights", environment.with_lights,
+                 "The lights below shine together with the environment.");
 }
 
-void EnvironmentPanel::follow(Surroundings& surroundings) {
+void EnvironmentPanel::follow(SceneEnvironment& environment) {
     if (auto published = job_.poll(); published && wanted_ && published->revision == asked_) {
         const std::string name = *std::exchange(wanted_, std::nullopt);
         if (published->result) {
-            surroundings.picture = std::move(published->result->picture);
+            environment.picture = std::move(published->result->picture);
             held_ = std::move(published->result->held);
         } else {
             problem_ = problem_line(published->error);

@@ -1,4 +1,4 @@
-// What surrounds the object: chosen from a list or a file, made on a worker.
+// The environment of the object: chosen from a list or a file, made on a worker.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@ class EnvironmentPanel {
     EnvironmentPanel();
 
     // The rows of the light's panel. `dialogs` asks for a picture where one is wanted.
-    void rows(Surroundings& surroundings, const std::optional<DialogProgram>& dialogs);
+    void rows(SceneEnvironment& environment, const std::optional<DialogProgram>& dialogs);
 
     // Takes what the worker has made; once a frame.
-    void follow(Surroundings& surroundings);
+    void follow(SceneEnvironment& environment);
 
     // The dialog or the problem, where one is open.
     void talk();
     bool talking() const { return chooser_.open() || !problem_.empty(); }
     const std::string& problem() const { return problem_; }  // shown until it is read
 
-    // A procedural environment's name, or a picture by latitude and longitude. The present one stays until it
+    // A procedural environment's name, or a lat-long picture. The present one stays until it
     // has come, and where it cannot be used.
     void want(std::string name_or_file);
 

@@ -78,7 +78,7 @@ void ExportFlow::ask_file(const Document& document) {
                   .folder = folder,
                   .name = document.stem() + (into_folder ? "-tables" : extension),
                   .kind = into_folder ? "" : dialog_.formats[dialog_.chosen].title,
-                  .endings = into_folder ? std::vector<std::string>() : std::vector{extension}},
+                  .extensions = into_folder ? std::vector<std::string>() : std::vector{extension}},
                  dialogs_);
 }
 

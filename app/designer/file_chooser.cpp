@@ -18,7 +18,9 @@ void FileChooser::ask(FileQuestion question, const std::optional<DialogProgram>&
         browse();
 }
 
-ui::Listing FileChooser::list(const fs::path& folder) const { return list_folder(folder, question_.endings); }
+ui::Listing FileChooser::list(const fs::path& folder) const {
+    return list_folder(folder, question_.extensions);
+}
 
 void FileChooser::browse() {
     const std::string what = question_.kind.empty() ? "" : question_.kind + ": ";
@@ -32,9 +34,9 @@ void FileChooser::browse() {
 }
 
 FileChooser::Answer FileChooser::chosen(fs::path file) const {
-    const std::vector<std::string>& endings = question_.endings;
-    if (question_.purpose == Purpose::save && !endings.empty() && !has_ending(file, endings))
-        file += endings.front();
+    const std::vector<std::string>& extensions = question_.extensions;
+    if (question_.purpose == Purpose::save && !extensions.empty() && !has_extension(file, extensions))
+        file += extensions.front();
     return {std::move(file)};
 }
 

@@ -18,7 +18,8 @@ class FileChooser {
     void ask(FileQuestion question, const std::optional<DialogProgram>& program);
 
     struct Answer {
-        // Empty: cancelled. To save under, with the first ending of the question where it had none of them.
+        // Empty: cancelled. To save under, with the first extension of the question where it had none of
+        // them.
         std::filesystem::path chosen;
     };
     // Draws what is open. The answer comes once.

@@ -85,7 +85,7 @@ void FileFlow::save_as(const Document& document) {
                   .folder = folder(document),
                   .name = document.stem() + design_extension,
                   .kind = "Nacre design",
-                  .endings = {design_extension}},
+                  .extensions = {design_extension}},
                  memory_.dialogs);
 }
 
@@ -113,7 +113,7 @@ void FileFlow::go_on(Document& document) {
                           .title = "Open design",
                           .folder = folder(document),
                           .kind = "Nacre design",
-                          .endings = {design_extension}},
+                          .extensions = {design_extension}},
                          memory_.dialogs);
             break;
         case Next::open:

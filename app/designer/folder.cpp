@@ -6,7 +6,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "core/base/file_ending.h"
+#include "core/base/file_extension.h"
 #include "core/base/system/shared_library.h"
 
 namespace nacre {
@@ -32,7 +32,7 @@ std::string spoken(std::string name) {
 
 }  // namespace
 
-ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& endings) {
+ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& extensions) {
     ui::Listing listing;
     std::error_code error;
     listing.directory = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
@@ -44,7 +44,7 @@ ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& 
         std::error_code unreadable;
         const bool is_directory = it->is_directory(unreadable);
         if (unreadable || name.starts_with('.')) continue;
-        if (is_directory || endings.empty() || has_ending(it->path(), endings))
+        if (is_directory || extensions.empty() || has_extension(it->path(), extensions))
             listing.entries.push_back({name, is_directory});
     }
     if (error) listing.problem = error.message();
@@ -54,8 +54,8 @@ ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& 
     return listing;
 }
 
-bool has_ending(const fs::path& file, const std::vector<std::string>& endings) {
-    return std::find(endings.begin(), endings.end(), ending_of(file)) != endings.end();
+bool has_extension(const fs::path& file, const std::vector<std::string>& extensions) {
+    return std::find(extensions.begin(), extensions.end(), extension_of(file)) != extensions.end();
 }
 
 std::vector<Preset> list_presets(const fs::path& folder) {

@@ -11,13 +11,13 @@ namespace nacre {
 
 inline constexpr const char* design_extension = ".nacre";
 
-// Folders and files of any of these endings, in small letters (of any at all, where there are none), sorted,
-// without hidden ones.
+// Folders and files with one of these lower-case extensions (with any, where none is given),
+// sorted, without hidden ones.
 ui::Listing list_folder(const std::filesystem::path& folder,
-                        const std::vector<std::string>& endings = {design_extension});
+                        const std::vector<std::string>& extensions = {design_extension});
 
-// Whether the name ends in any of these, given in small letters, be it in small letters or in capitals.
-bool has_ending(const std::filesystem::path& file, const std::vector<std::string>& endings);
+// Whether the file has one of these lower-case extensions, ignoring case.
+bool has_extension(const std::filesystem::path& file, const std::vector<std::string>& extensions);
 
 struct Preset {
     std::string name;  // of the file, without ".nacre"

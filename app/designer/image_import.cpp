@@ -15,7 +15,7 @@
 namespace nacre {
 namespace {
 
-enum Answer { stamp, normals, heights, modulate, surround, cancel };
+enum Answer { stamp, normals, heights, modulate, environment, cancel };
 
 void add_layer_of(const std::vector<dvec3>& normals_found, double width, const std::string& name,
                   Distribution& distribution, std::size_t& chosen) {
@@ -78,8 +78,8 @@ void ImageImport::use(int answer, Distribution& distribution, std::size_t& chose
             auto raster = std::make_shared<const Raster>(
                 load_picture(file, file.string(), "modulation", PictureShape::any, &notes));
             distribution.layers[chosen].modulation = Modulation{{{}, std::move(raster), notes}, 1};
-        } else if (answer == surround) {
-            surroundings_ = file;
+        } else if (answer == environment) {
+            environment_ = file;
         }
         if (!notes.empty()) note_ = notes_line(file, notes);
     } catch (const std::exception&) {
@@ -94,15 +94,16 @@ void ImageImport::draw(Distribution& distribution, std::size_t& chosen) {
         return;
     }
     if (!file_) return;
-    const std::string text = "What is \u201c" + file_->filename().string() +
-                             "\u201d? A stamp paints through it. A map of normals or of heights becomes a "
-                             "layer with the facets of "
-                             "that surface. Modulation multiplies the chosen layer by it. A stamp or a "
-                             "modulation that is not square "
-                             "keeps its shape: black is added beside it. Surroundings light the object.";
+    const std::string text =
+        "What is \u201c" + file_->filename().string() +
+        "\u201d? A stamp paints through it. A map of normals or of heights becomes a "
+        "layer with the facets of "
+        "that surface. Modulation multiplies the chosen layer by it. A stamp or a "
+        "modulation that is not square "
+        "keeps its shape: black is added beside it. An environment map lights the object.";
     const auto answer =
         ui::question("Import image", text,
-                     {"Stamp", "Normals", "Heights", "Modulation", "Surroundings", "Cancel"}, [this] {
+                     {"Stamp", "Normals", "Heights", "Modulation", "Environment map", "Cancel"}, [this] {
                          reading_fields(reading_);
                          normals_.draw();
                      });

@@ -26,15 +26,15 @@ class ImageImport {
     }
 
     // Asks, and acts on the answer: the picture becomes the stamp in hand, a painted layer of its normals or
-    // of its heights, the chosen layer's modulation, or what surrounds the object.
+    // of its heights, the chosen layer's modulation, or the environment map.
     void draw(Distribution& distribution, std::size_t& chosen);
 
     // The picture that was said to be a stamp, once.
     std::optional<std::filesystem::path> take_stamp() { return std::exchange(stamp_, std::nullopt); }
 
-    // The picture that was said to be of the surroundings, once.
-    std::optional<std::filesystem::path> take_surroundings() {
-        return std::exchange(surroundings_, std::nullopt);
+    // The picture that was chosen as environment map, once.
+    std::optional<std::filesystem::path> take_environment() {
+        return std::exchange(environment_, std::nullopt);
     }
 
     // What is to be said of the picture that was used, once.
@@ -46,7 +46,7 @@ class ImageImport {
   private:
     void use(int answer, Distribution& distribution, std::size_t& chosen);
 
-    std::optional<std::filesystem::path> file_, stamp_, surroundings_;
+    std::optional<std::filesystem::path> file_, stamp_, environment_;
     std::string problem_;
     std::optional<std::string> note_;
     ReliefReading reading_;  // as it was last set

@@ -58,10 +58,10 @@ void NormalChoice::count() {
 void NormalChoice::draw() {
     if (!picture_ || picture_->channels < 2) return;
     const NormalReading before = reading_;
-    either("Numbers",
-           {"0.5 is zero",
-            "For normals: each number c stands for 2 c - 1, as pictures without negative numbers need it."},
-           {"Signed", "For normals: each number stands for itself, negative ones too."}, reading_.is_signed);
+    either(
+        "Numbers",
+        {"0.5 is zero", "For normals: each number c means 2 c - 1, as in pictures without negative numbers."},
+        {"Signed", "For normals: numbers are used as they are, negative ones too."}, reading_.is_signed);
     either("Channels", {"x, y and z", "For normals: red, green and blue are x, y and z."},
            {"x and y", "For normals: red and green are x and y; blue is not read, z makes the length 1."},
            reading_.two_channels);

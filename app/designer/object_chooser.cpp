@@ -86,7 +86,7 @@ void ObjectChooser::ask_file(const std::optional<DialogProgram>& dialogs) {
                   .title = "Open object",
                   .folder = last_folder_,
                   .kind = "Wavefront OBJ",
-                  .endings = {".obj"}},
+                  .extensions = {".obj"}},
                  dialogs);
 }
 

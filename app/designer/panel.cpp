@@ -19,7 +19,7 @@ namespace {
 
 void draw_material(Design& design) {
     ui::text_field("Name##Design name", design.name, "Untitled",
-                   "The design's name: it stands in the window's title, in exported tables and in GLSL.");
+                   "The design's name: it appears in the window's title, in exported tables and in GLSL.");
     ImGui::Spacing();
     ui::fresnel_panel(design.fresnel);
     ImGui::Spacing();

@@ -21,7 +21,7 @@ void PlotSaving::ask(Plot plot, const ShapeView& view, const std::string& name,
                   .folder = folder_,
                   .name = name,
                   .kind = "Plot, SVG or CSV",
-                  .endings = {".svg", ".csv"}},
+                  .extensions = {".svg", ".csv"}},
                  dialogs);
 }
 

@@ -26,9 +26,9 @@ constexpr double rest_seconds = 0.12;  // without a change until the picture is 
 
 // Of an environment's light: seconds of a frame, and samples a pixel while something moves or for a
 // screenshot.
-constexpr double gather_seconds = 0.015;
+constexpr double refine_seconds = 0.015;
 constexpr int moving_samples = 64, screenshot_samples = 64;
-constexpr double degrees_per_pixel = 0.4;  // of a drag that turns the surroundings
+constexpr double degrees_per_pixel = 0.4;  // of a drag that turns the environment
 
 }  // namespace
 
@@ -107,7 +107,7 @@ void PreviewPane::draw(const std::shared_ptr<const Tables>& tables, const Scene&
 }
 
 void PreviewPane::draw_progress() const {
-    const GatherProgress progress = compared_.progress(preview_, look);
+    const SampleProgress progress = compared_.progress(preview_, look);
     if (progress.goal == 0) return;
     const std::string text =
         fmt::format("environment {} of {}", std::min(progress.samples, progress.goal), progress.goal);
@@ -155,22 +155,22 @@ void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     }
     const bool moves = now - changed_at_ < rest_seconds || ImGui::IsAnyMouseDown();
     const Pace pace = insist_on_best_ ? Pace::insisting : moves ? Pace::moving : Pace::resting;
-    const bool gathers = uses_environment(scene);
-    const double a_sample = seconds_a_sample_ + (gathers ? preview_.seconds_a_sample() : 0);
+    const bool accumulates = uses_environment(scene);
+    const double a_sample = seconds_a_sample_ + (accumulates ? preview_.seconds_a_sample() : 0);
     const DrawQuality quality =
         insist_on_best_ ? best_quality : choose_quality(a_sample, size, moves ? last_motion_ : Motion::none);
-    // What has been gathered is not thrown away for a finer quality.
-    const bool finer = gathers ? pace != drawn_pace_ : quality != drawn_quality_;
+    // What has been accumulated is not thrown away for a finer quality.
+    const bool finer = accumulates ? pace != drawn_pace_ : quality != drawn_quality_;
     if (changed || (finer && pace != Pace::moving))
         redraw(scene, size, quality, pace);
     else
-        compared_.refine(preview_, gather_seconds, look);
+        compared_.refine(preview_, refine_seconds, look);
 }
 
 void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace) {
     const glm::ivec2 texels = glm::max(glm::ivec2(glm::dvec2(size) / quality.divisor), glm::ivec2(1));
     if (uses_environment(scene))
-        gather(scene, texels, quality.supersample, pace);
+        accumulate(scene, texels, quality.supersample, pace);
     else
         measured_draw(scene, texels, quality.supersample);
     drawn_scene_ = scene;
@@ -182,15 +182,15 @@ void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality qualit
     stale_ = false;
 }
 
-// What moves shows at once, with as many samples as there is time for; what rests is gathered from now on,
+// What moves shows at once, with as many samples as there is time for; what rests is accumulated from now on,
 // and the picture before it stays until then.
-void PreviewPane::gather(const Scene& scene, glm::ivec2 texels, int supersample, Pace pace) {
+void PreviewPane::accumulate(const Scene& scene, glm::ivec2 texels, int supersample, Pace pace) {
     const int goal = pace == Pace::insisting ? screenshot_samples
                      : pace == Pace::moving  ? moving_samples
                                              : usual_samples;
     compared_.begin(preview_, scene, texels, supersample, goal, look);
     do {
-        compared_.refine(preview_, gather_seconds, look);
+        compared_.refine(preview_, refine_seconds, look);
     } while ((pace == Pace::moving && compared_.progress(preview_, look).samples == 0) ||
              (pace == Pace::insisting && accumulating()));
 }

@@ -36,7 +36,7 @@ class PreviewPane {
     // right or middle drag orbits, the wheel zooms.
     void work(Scene& scene, bool taken);
 
-    // Draws into the window, anew only what changed, with a veil of light over it; null: none.
+    // Draws into the window, redrawing only what changed, with a veil of light over it; null: none.
     void draw(const std::shared_ptr<const Tables>& tables, const Scene& scene, const Veil& veil);
 
     // The normal of the facets that light the pixel under the pointer.
@@ -51,9 +51,9 @@ class PreviewPane {
 
     bool has_picture() const { return !preview_.empty(); }
 
-    // The picture still gathers the light of its surroundings: it differs from frame to frame.
+    // The picture still accumulates samples of its environment: it differs from frame to frame.
     bool accumulating() const {
-        const GatherProgress progress = compared_.progress(preview_, look);
+        const SampleProgress progress = compared_.progress(preview_, look);
         return progress.samples < progress.goal;
     }
 
@@ -69,7 +69,7 @@ class PreviewPane {
 
     void redraw(const Scene& scene, glm::ivec2 size, DrawQuality quality, Pace pace);
     void measured_draw(const Scene& scene, glm::ivec2 texels, int supersample);
-    void gather(const Scene& scene, glm::ivec2 texels, int supersample, Pace pace);
+    void accumulate(const Scene& scene, glm::ivec2 texels, int supersample, Pace pace);
     void draw_progress() const;
 
     Preview preview_;

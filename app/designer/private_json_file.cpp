@@ -46,7 +46,7 @@ void PrivateJsonFile::set_aside(const std::string& why) {
         std::error_code error;
         if (!fs::exists(fs::symlink_status(aside, error))) break;
     }
-    problem_ += "; the defaults hold, and the file is left as it is";
+    problem_ += "; the defaults apply, and the file is left as it is";
 }
 
 void PrivateJsonFile::write(const std::string& text) {

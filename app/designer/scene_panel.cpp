@@ -51,7 +51,7 @@ void light_rows(LightSource& light, const LightSource& usual, const LightLabels&
                 .reset = usual.phi,
                 .format = "%.1f\u00b0",
                 .logarithmic = false,
-                .tooltip = "Where the light stands around the view: 0 right, 90 above, 180 left."},
+                .tooltip = "Direction of the light around the view: 0 right, 90 above, 180 left."},
                light.phi);
     strength_row(
         labels.strength, 10, light.irradiance, usual.irradiance,
@@ -63,9 +63,8 @@ void background_rows(Scene& scene, const Scene& usual) {
     // In the order of Background.
     constexpr const char* names[] = {"Dark wall", "Grey", "Black", "White", "Colour"};
     int index = static_cast<int>(scene.background);
-    if (ui::combo(
-            "Background", index, names,
-            "What stands behind the object. The wall follows the exposure; the others stay as they are."))
+    if (ui::combo("Background", index, names,
+                  "The background. The wall follows the exposure; the others stay as they are."))
         scene.background = static_cast<Background>(index);
     if (scene.background == Background::custom)
         ui::colour("Colour##Background colour", scene.background_colour, usual.background_colour,
@@ -92,7 +91,7 @@ void lights(Scene& scene) {
                  "Light from everywhere, as strong from each direction: radiance = L times the albedo of k.");
     if (scene.ambient)
         strength_row("Strength##Ambient strength", 1, scene.ambient_radiance, usual.ambient_radiance,
-                     "How bright the light from everywhere is.");
+                     "Radiance of the ambient light.");
 }
 
 }  // namespace

@@ -24,13 +24,13 @@ void StampChooser::want(std::filesystem::path file) {
 
 void StampChooser::follow(ui::CanvasState& canvas, const std::optional<DialogProgram>& dialogs) {
     if (std::exchange(canvas.asks_for_stamp, false)) {
-        std::vector<std::string> endings = picture_endings();
-        endings.emplace_back(".svg");
+        std::vector<std::string> extensions = picture_extensions();
+        extensions.emplace_back(".svg");
         chooser_.ask({.purpose = ui::FileDialog::Purpose::open,
                       .title = "Load a stamp",
                       .folder = file_.parent_path(),
                       .kind = "Picture",
-                      .endings = std::move(endings)},
+                      .extensions = std::move(extensions)},
                      dialogs);
     }
     auto read = job_.poll();

@@ -37,9 +37,9 @@ ui::TablesStatus status_of(const Tables& tables) {
     status.tables = fmt::format("{}   {}   {}", size_text(tables), time_text(tables), error_text(tables));
     for (const Omission& omission : tables.omissions)
         status.left_out.push_back(omission.what + ": " + omission.why);
-    const double lean = polar_angle(tables.mean);
-    status.valid = lean < ui::lean_noticed;
-    status.validity = status.valid ? "mean normal ok" : fmt::format("mean normal tilted {:.1f}\u00b0", lean);
+    const double tilt = polar_angle(tables.mean);
+    status.valid = tilt < ui::tilt_noticed;
+    status.validity = status.valid ? "mean normal ok" : fmt::format("mean normal tilted {:.1f}\u00b0", tilt);
     return status;
 }
 

@@ -31,17 +31,19 @@ std::string capitals(std::string text) {
     return text;
 }
 
-// "Plot | *.svg *.SVG *.csv *.CSV": it tells small letters from capitals.
+// "Plot | *.svg *.SVG *.csv *.CSV": zenity's patterns are case-sensitive.
 std::string zenity_filter(const FileQuestion& question) {
     std::string filter = question.kind + " |";
-    for (const std::string& ending : question.endings) filter += " *" + ending + " *" + capitals(ending);
+    for (const std::string& extension : question.extensions)
+        filter += " *" + extension + " *" + capitals(extension);
     return filter;
 }
 
-// "*.svg *.csv": of small letters or capitals.
+// "*.svg *.csv": kdialog ignores case.
 std::string kdialog_filter(const FileQuestion& question) {
     std::string filter;
-    for (const std::string& ending : question.endings) filter += (filter.empty() ? "*" : " *") + ending;
+    for (const std::string& extension : question.extensions)
+        filter += (filter.empty() ? "*" : " *") + extension;
     return filter;
 }
 
@@ -54,7 +56,7 @@ std::vector<std::string> zenity_arguments(const FileQuestion& question) {
         words.push_back("--filename=" + (question.folder / question.name).string());
     else if (!question.name.empty())
         words.push_back("--filename=" + question.name);
-    if (!question.endings.empty()) words.push_back("--file-filter=" + zenity_filter(question));
+    if (!question.extensions.empty()) words.push_back("--file-filter=" + zenity_filter(question));
     return words;
 }
 
@@ -65,7 +67,7 @@ std::vector<std::string> kdialog_arguments(const FileQuestion& question) {
     const fs::path start = question.folder.empty() ? fs::path(".") : question.folder;
     std::vector<std::string> words = {"kdialog", "--title", question.title, verb,
                                       (start / question.name).string()};
-    if (!question.endings.empty()) words.push_back(kdialog_filter(question));
+    if (!question.extensions.empty()) words.push_back(kdialog_filter(question));
     return words;
 }
 

@@ -19,8 +19,8 @@ struct FileQuestion {
     std::filesystem::path folder = {};  // where it begins
     std::string name = {};              // proposed to save under
     std::string kind = {};              // what is asked for: "Nacre design"
-    // ".svg", ".csv", in small letters: other files are not shown. None: all are.
-    std::vector<std::string> endings = {};
+    // ".svg", ".csv", in lower case; other files are not shown. Empty: all files.
+    std::vector<std::string> extensions = {};
 };
 
 struct DialogProgram {

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The pictures of the design, the surroundings and the object, where they came from files.
+// The pictures of the design, the environment map and the object, where they came from files.
 std::vector<fs::path> referred_files(const Designer& designer) {
     std::vector<fs::path> files = picture_files(designer.document.design);
     for (const HeldFiles* held : {&designer.environment.held(), &designer.objects.held()})

@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
         ->check([](const std::string& text) {
             double scale = 0;
             const bool within = CLI::detail::lexical_cast(text, scale) && scale >= 0.5 && scale <= 4;
-            return within ? std::string() : text + " is no number from 0.5 to 4";
+            return within ? std::string() : text + " is not a number from 0.5 to 4";
         });
     options.set_version_flag("--version", NACRE_VERSION);
     // For tests/bench/start.sh: ends with the first shaded picture and prints when it came.

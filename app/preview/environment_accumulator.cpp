@@ -78,7 +78,7 @@ double EnvironmentAccumulator::add(const Program& program, const GeometryBuffer&
     set_uniform(program, "light_scale", brightness > 0 ? 1 / (3 * brightness) : 0.0);
     set_uniform(program, "first_sample", samples_);
     set_uniform(program, "samples", batch_);
-    upload_surroundings(program, scene, 3);
+    upload_environment(program, scene, 3);
     target_.bind(texels_, GL_RGBA32F);
     full_screen_.add(row_, rows);
     row_ += rows;
@@ -89,7 +89,7 @@ double EnvironmentAccumulator::add(const Program& program, const GeometryBuffer&
     return a_row * rows * batch_;
 }
 
-void EnvironmentAccumulator::upload_surroundings(const Program& program, const Scene& scene, int unit) const {
+void EnvironmentAccumulator::upload_environment(const Program& program, const Scene& scene, int unit) const {
     picture_.bind(unit);
     set_uniform(program, "environment_picture", unit);
     set_uniform(program, "view_to_environment", view_to_environment(scene.environment.rotation));

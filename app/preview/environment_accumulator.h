@@ -1,4 +1,4 @@
-// The light of an environment that the object's texels have gathered so far, sample after sample.
+// Light of an environment at the object's texels, accumulated sample by sample.
 #pragma once
 
 #include <memory>
@@ -18,20 +18,20 @@ class EnvironmentAccumulator {
     void set_environment(std::shared_ptr<const Environment> environment);
     void set_facets(const std::shared_ptr<const Tables>& tables);
 
-    // Forgets what was gathered.
+    // Forgets all samples.
     void restart(glm::ivec2 texels);
 
-    // Adds samples to some rows of texels, `most` samples of single texels at the most but a row in any case,
+    // Adds samples to some rows of texels, at most `most` samples of single texels but a row in any case,
     // and no more than `goal` samples to each. `program` is in use with its surface uploaded, and shades
-    // gather.frag. Returns how many samples of single texels that were.
+    // accumulate.frag. Returns how many samples of single texels that were.
     double add(const Program& program, const GeometryBuffer& geometry, const Scene& scene, double most,
                int goal);
 
     int samples() const { return samples_; }  // that every texel has
-    const Texture& gathered() const { return target_.texture(); }
+    const Texture& accumulated() const { return target_.texture(); }
 
     // The uniforms of environment.glsl; the picture goes to texture unit `unit`.
-    void upload_surroundings(const Program& program, const Scene& scene, int unit) const;
+    void upload_environment(const Program& program, const Scene& scene, int unit) const;
 
   private:
     std::shared_ptr<const Environment> environment_;

@@ -84,7 +84,7 @@ void Target::bind(glm::ivec2 size, GLint internal_format) {
     }
     glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        size_ = {0, 0};  // tried anew: it may have been for want of memory
+        size_ = {0, 0};  // tried again: it may have been for want of memory
         throw std::runtime_error("OpenGL cannot draw into a picture of this size");
     }
     glViewport(0, 0, size.x, size.y);

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "core/base/file_ending.h"
+#include "core/base/file_extension.h"
 #include "core/formats/obj_file.h"
 
 namespace nacre {
@@ -27,7 +27,7 @@ std::vector<std::string> object_names() {
 bool names_object(const std::string& name) {
     const std::vector<std::string> names = object_names();
     if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-    return ending_of(name) == ".obj";
+    return extension_of(name) == ".obj";
 }
 
 SceneObject make_object(const std::string& name) {

@@ -13,7 +13,7 @@ namespace nacre {
 struct SceneObject {
     std::string name = "sphere";       // of object_names(), or the path of an OBJ file
     std::shared_ptr<const Mesh> mesh;  // none: the sphere, which is drawn by its formula
-    double pitch = 0;  // degrees that the object leans toward the viewer before the camera's own
+    double pitch = 0;  // degrees by which the object is tilted toward the viewer before the camera's own
     std::string note;  // what of a file was left out or made up, in one line; mostly empty
 
     bool operator==(const SceneObject&) const = default;

@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t programs_kept = 24;  // variants that an editing session may go back and forth between
 constexpr int colours = 256;               // of the map for numbers
 constexpr double background_slope =
-    0.25;  // of surroundings: at the usual zoom about 35 degrees are in the picture
-constexpr double gathered_at_once = 250e3;  // the same, where nobody waits for a frame
-constexpr double least_gathered = 4096;     // samples of single texels: fewer tell nothing about the speed
+    0.25;  // of an environment: at the usual zoom about 35 degrees are in the picture
+constexpr double samples_at_once = 250e3;  // the same, where nobody waits for a frame
+constexpr double samples_min = 4096;       // samples of single texels: fewer tell nothing about the speed
 
 std::string text(const char* name) { return std::string(shader_text(name)); }
 
@@ -84,7 +84,7 @@ const Program& Preview::surface_program() {
     // A model whose albedo is not made yet waits for it in the dark, as a design does.
     const bool known = chosen.kinds.albedo && !(model_ && model_->albedo.empty());
     chosen.ambient = scene.ambient && lights_shine(scene) && known;
-    chosen.surroundings = frame_.gathers() && scene.environment.visible;
+    chosen.environment_behind = frame_.uses_environment() && scene.environment.visible;
     return program_of(fragment_shader(chosen, "surface.frag"));
 }
 
@@ -92,10 +92,10 @@ void Preview::draw_radiance() {
     const Scene& scene = frame_.scene;
     const glm::ivec2 texels = frame_.size * frame_.supersample;
     geometry_.update(scene, texels);
-    if (frame_.gathers()) {
-        gathering_.set_environment(scene.environment.picture);
-        gathering_.set_facets(tables_);
-        gathering_.restart(texels);
+    if (frame_.uses_environment()) {
+        accumulator_.set_environment(scene.environment.picture);
+        accumulator_.set_facets(tables_);
+        accumulator_.restart(texels);
     }
     const Program& program = surface_program();
     radiance_.bind(texels, GL_RGBA32F);
@@ -120,7 +120,7 @@ void Preview::draw_radiance() {
     set_uniform(program, "background", backdrop.radiance);
     set_uniform(program, "falloff", backdrop.falls_off ? 1.0 : 0.0);
     set_uniform(program, "background_slope", background_slope);
-    if (frame_.gathers()) gathering_.upload_surroundings(program, scene, 3);
+    if (frame_.uses_environment()) accumulator_.upload_environment(program, scene, 3);
     // Nobody reads its alpha, and Mesa's software renderer compiles a shader that writes all of a texel
     // twice.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
@@ -129,13 +129,13 @@ void Preview::draw_radiance() {
 }
 
 // See EnvironmentAccumulator::add.
-double Preview::gather(double most) {
-    const Program& program = program_of(fragment_shader(variant(), "gather.frag"));
+double Preview::accumulate(double most) {
+    const Program& program = program_of(fragment_shader(variant(), "accumulate.frag"));
     glUseProgram(program.name());
     data_.bind(0);
     upload_surface(program, tables_->shading, 0);
     if (model_) upload_closed_form(program, model_->form);
-    return gathering_.add(program, geometry_, frame_.scene, most, frame_.goal);
+    return accumulator_.add(program, geometry_, frame_.scene, most, frame_.goal);
 }
 
 void Preview::develop(Target& target, const Development& how) {
@@ -143,11 +143,11 @@ void Preview::develop(Target& target, const Development& how) {
     glUseProgram(develop_.name());
     radiance_.texture().bind(0);
     colours_.bind(1);
-    gathering_.gathered().bind(2);
+    accumulator_.accumulated().bind(2);
     set_uniform(develop_, "radiance", 0);
     set_uniform(develop_, "colours", 1);
-    set_uniform(develop_, "gathered", 2);
-    set_uniform(develop_, "surrounded", frame_.gathers() ? 1 : 0);
+    set_uniform(develop_, "accumulated", 2);
+    set_uniform(develop_, "has_environment", frame_.uses_environment() ? 1 : 0);
     set_uniform(develop_, "supersample", frame_.supersample);
     set_uniform(develop_, "exposure", how.exposure);
     set_uniform(develop_, "linear", how.linear ? 1 : 0);
@@ -181,7 +181,7 @@ void Preview::draw(const Scene& scene, glm::ivec2 size, int supersample) {
     const SavedState state;
     frame_ = {scene, size, supersample, 1};
     draw_radiance();
-    while (frame_.gathers() && gathering_.samples() < frame_.goal) gather(gathered_at_once);
+    while (frame_.uses_environment() && accumulator_.samples() < frame_.goal) accumulate(samples_at_once);
     develop_as_seen();
 }
 
@@ -192,31 +192,31 @@ void Preview::begin(const Scene& scene, glm::ivec2 size, int supersample, int go
 }
 
 void Preview::refine(double seconds) {
-    if (!frame_.gathers() || gathering_.samples() >= frame_.goal) return;
+    if (!frame_.uses_environment() || accumulator_.samples() >= frame_.goal) return;
     const SavedState state;
     const Stopwatch passed;
     do {
         const double before = passed.seconds();
-        const double done = gather(std::max(gathers_a_second_ * (seconds - before), least_gathered));
+        const double done = accumulate(std::max(samples_a_second_ * (seconds - before), samples_min));
         glFinish();  // the time that accumulating takes decides how much of it fits
-        gathers_a_second_ = done / std::max(passed.seconds() - before, 1e-6);
-    } while (gathering_.samples() < frame_.goal && passed.seconds() < 0.7 * seconds);
-    if (gathering_.samples() > 0) develop_as_seen();
+        samples_a_second_ = done / std::max(passed.seconds() - before, 1e-6);
+    } while (accumulator_.samples() < frame_.goal && passed.seconds() < 0.7 * seconds);
+    if (accumulator_.samples() > 0) develop_as_seen();
 }
 
-GatherProgress Preview::progress() const {
-    if (!frame_.gathers()) return {};
+SampleProgress Preview::progress() const {
+    if (!frame_.uses_environment()) return {};
     const int texels = frame_.supersample * frame_.supersample;
-    return {gathering_.samples() * texels, frame_.goal * texels};
+    return {accumulator_.samples() * texels, frame_.goal * texels};
 }
 
 std::vector<float> Preview::picture(const Scene& scene, glm::ivec2 size, int supersample, bool linear,
                                     int samples, const std::function<bool(double)>& go_on) {
     const SavedState state;
     begin(scene, size, supersample, samples);
-    while (frame_.gathers() && gathering_.samples() < frame_.goal) {
-        if (go_on && !go_on(static_cast<double>(gathering_.samples()) / frame_.goal)) return {};
-        gather(gathered_at_once);
+    while (frame_.uses_environment() && accumulator_.samples() < frame_.goal) {
+        if (go_on && !go_on(static_cast<double>(accumulator_.samples()) / frame_.goal)) return {};
+        accumulate(samples_at_once);
         glFinish();
     }
     if (!linear) {

@@ -19,10 +19,10 @@
 
 namespace nacre {
 
-// Samples a pixel that an environment is gathered with; 0 of 0 without one.
-struct GatherProgress {
+// Samples a pixel of an environment so far and in all; 0 of 0 without one.
+struct SampleProgress {
     int samples = 0, goal = 0;
-    bool operator==(const GatherProgress&) const = default;
+    bool operator==(const SampleProgress&) const = default;
 };
 
 inline constexpr int usual_samples = 1024;
@@ -46,10 +46,10 @@ class Preview {
     // as soon as each texel has one.
     void begin(const Scene& scene, glm::ivec2 size, int supersample, int goal);
     void refine(double seconds);
-    GatherProgress progress() const;
+    SampleProgress progress() const;
 
     // What one sample of one texel took when last refined; 0 where that is not known.
-    double seconds_a_sample() const { return gathers_a_second_ > 0 ? 1 / gathers_a_second_ : 0; }
+    double seconds_a_sample() const { return samples_a_second_ > 0 ? 1 / samples_a_second_ : 0; }
 
     // The same as numbers: RGBA, bottom row first; developed to sRGB in [0, 1], or linear radiance times
     // exposure. With about so many samples a pixel of an environment's light; `go_on` is asked now and then,
@@ -79,7 +79,7 @@ class Preview {
         int supersample = 1;
         int goal = 0;  // samples a texel
 
-        bool gathers() const { return uses_environment(scene); }
+        bool uses_environment() const { return nacre::uses_environment(scene); }
     };
 
     // See shaders/develop.frag.
@@ -93,7 +93,7 @@ class Preview {
     ShaderVariant variant() const;
     const Program& surface_program();
     void draw_radiance();
-    double gather(double most);
+    double accumulate(double most);
     void develop(Target& target, const Development& how);
     void develop_as_seen();
 
@@ -110,9 +110,9 @@ class Preview {
     GeometryBuffer pixel_geometry_;
     SurfaceImage surface_;
     Target radiance_;
-    EnvironmentAccumulator gathering_;
+    EnvironmentAccumulator accumulator_;
     Frame frame_;
-    double gathers_a_second_ = 0;  // samples of single texels; 0 until measured
+    double samples_a_second_ = 0;  // samples of single texels; 0 until measured
     Target developed_;
     Target numbers_;
 };

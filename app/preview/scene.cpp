@@ -83,8 +83,8 @@ glm::dmat3 object_to_view(const Scene& scene) {
     const double pitch = (scene.object.pitch + scene.pitch) * radians;
     const double cp = std::cos(pitch), sp = std::sin(pitch);
     const glm::dmat3 turn{{cy, 0, -sy}, {0, 1, 0}, {sy, 0, cy}};
-    const glm::dmat3 lean{{1, 0, 0}, {0, cp, sp}, {0, -sp, cp}};
-    return lean * turn;
+    const glm::dmat3 pitch_matrix{{1, 0, 0}, {0, cp, sp}, {0, -sp, cp}};
+    return pitch_matrix * turn;
 }
 
 double pixels_per_unit(const Scene& scene, glm::ivec2 size) {

@@ -28,14 +28,14 @@ struct LightSource {
 
 // Light from all around, and whether it is seen behind the object. It stays with the viewer while the object
 // turns.
-struct Surroundings {
+struct SceneEnvironment {
     std::shared_ptr<const Environment> picture;  // none: the lights alone
     double rotation = 0;    // degrees about the vertical: what is behind the object moves right
     double brightness = 1;  // factor
     bool visible = false;
     bool with_lights = false;  // the scene's lights shine too
 
-    bool operator==(const Surroundings&) const = default;
+    bool operator==(const SceneEnvironment&) const = default;
 };
 
 // The wall is lit as the object is, dark and brighter behind it; the others are shown as they are named,
@@ -51,12 +51,12 @@ struct Scene {
     LightSource rim{128, -50, {5.5, 6.0, 7.0}};
     bool ambient = false;
     glm::dvec3 ambient_radiance{0.12};
-    Surroundings environment;
+    SceneEnvironment environment;
     double exposure = 0;  // EV
     Background background = Background::wall;
     glm::dvec3 background_colour{0.5, 0.5, 0.5};  // of Background::custom, linear sRGB as it is shown
     double yaw = 0;                               // degrees, orbit about the object's y axis
-    double pitch = 0;                             // degrees, the axis leans toward the viewer
+    double pitch = 0;                             // degrees, tilts the axis toward the viewer
     double zoom = 1;
     Term term = Term::total;  // what of the surface's BRDF is shown; a factor is that of the main light
 
@@ -88,8 +88,8 @@ Backdrop backdrop_of(const Scene& scene);
 // Unit vector toward a light, view space.
 glm::dvec3 light_direction(const LightSource& light);
 
-// The object turns by yaw about its own y axis, which then leans toward the viewer by its own pitch and the
-// camera's.
+// The object turns by yaw about its own y axis, which is then tilted toward the viewer by its own pitch and
+// the camera's.
 glm::dmat3 object_to_view(const Scene& scene);
 
 // Pixels that one unit of view space (about the object's radius) takes.

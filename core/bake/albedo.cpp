@@ -18,7 +18,7 @@ void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
 }
 
-// At most so many cells for a lobe of facets, level by level.
+// The most cells of a lobe of facets, level by level.
 constexpr std::array<std::size_t, 4> facet_counts = {200, 800, 3200, 12800};
 
 // For a smooth lobe, over half of psi and over chi, level by level.

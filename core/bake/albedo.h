@@ -22,8 +22,8 @@ struct FacetAlbedo {
     int channels;
 };
 
-// The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi, parted where the
-// integrand is not smooth (GreatCircleQuadrature::cuts), so that the error falls exponentially with the
+// The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi, split where
+// the integrand is not smooth (GreatCircleQuadrature::cuts), so that the error falls exponentially with the
 // order. A lobe of facets: cells of its pyramid, whose error falls with the square of their size. Order and
 // count are chosen once, for all directions.
 class AlbedoQuadrature {

@@ -12,7 +12,7 @@ namespace {
 // Beyond those between nodes.
 constexpr int grazing_probes = 24;
 
-// A search looks into one of so many cells, and at the least into so many; it climbs from so many points.
+// A search looks into one of `cells_each` cells, at least `cells_min`, and climbs from `climbs` points.
 constexpr int cells_each = 80, cells_min = 4, climbs = 5;
 constexpr int thorough_cells_each = 10, thorough_climbs = 24;
 
@@ -39,8 +39,8 @@ void AlbedoTable::fill(Workers& workers) {
     data_.resize(static_cast<std::size_t>(count * (1 + channels_)));
     kept_.resize(static_cast<std::size_t>(count));
     workers.for_each(count, [&](int i) {
-        const dvec3 k =
-            direction({static_cast<double>(i % columns), static_cast<double>(i / columns), TablePlace::node});
+        const int column = i % columns, row = i / columns;
+        const dvec3 k = direction({static_cast<double>(column), static_cast<double>(row), TablePlace::node});
         const double g = distribution.projected_area(k), kept = shading.clamped_part(k, g);
         kept_[static_cast<std::size_t>(i)] = kept;
         AlbedoValues values = rules_.nodes()(k, g);

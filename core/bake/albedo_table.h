@@ -11,7 +11,7 @@ namespace nacre {
 struct AlbedoTolerance {
     double rule_tolerance;   // see AlbedoQuadrature
     double probe_tolerance;  // the same for the directions between nodes by which the tables are measured
-    int probes;              // so many of those, at the most
+    int probes;              // at most, of those
 };
 
 // How the tables over one table of g are filled and measured, whatever their size. `material` holds the
@@ -70,19 +70,19 @@ class AlbedoTable {
     // Adds all directions between nodes that this table knows R at.
     void tell(std::vector<KnownAlbedo>& known) const;
 
-    // Looks where the table may err more than `error` tells, and further where that is more than `enough`;
+    // Searches for errors larger than `error`, and more thoroughly where `error` is above `enough`;
     // adds to `error` what it finds and to `known` where it looked.
     void search(double enough, Search how, AxisError& error, std::vector<KnownAlbedo>& known,
                 Workers& workers) const;
 
-    // The worst error at those directions, and the worst so many of them.
+    // The worst error at those directions, and the worst of them.
     double worst_at(const std::vector<KnownAlbedo>& known) const;
     std::vector<dvec3> worst_of(const std::vector<KnownAlbedo>& known, std::size_t count) const;
 
     // R G/g with F = 1, then the Fresnel factors' differences, as the shader reads them.
     const std::vector<float>& data() const { return data_; }
 
-    // Tells the shader that these tables begin at `offset` of its data.
+    // Sets the shader's offsets for tables that begin at `offset` of its data.
     static void place(Shading<double>& shading, TableNodes nodes, int offset);
 
   private:

@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 // Directions between nodes: three a cell up to this many, then as many as there are cells, scattered evenly;
-// for a draft just so many.
+// for a draft exactly this many.
 constexpr int final_between = 768, draft_between = 192;
 
 // Samples whose neighbours are looked at.
@@ -20,8 +20,8 @@ constexpr std::size_t worst_looked_at = 24;
 // Beyond those between nodes.
 constexpr int grazing_samples = 96;
 
-// A search looks into one of so many cells, and at the least into so many; it climbs from so many points. A
-// thorough one looks into every cell.
+// A search looks into one of `cells_each` cells, at least `cells_min`, and climbs from `climbs` points.
+// A thorough one looks into every cell.
 constexpr int cells_each = 24, cells_min = 8, climbs = 6, thorough_climbs = 32;
 
 }  // namespace
@@ -74,8 +74,8 @@ void AreaTable::sample_nodes_and_between(Workers& workers) {
     add_samples(std::move(samples), workers);
 }
 
-// The scattered directions may miss the worst, which sits in few cells where p has a narrow feature: the
-// neighbours of those that err most are looked at too.
+// The scattered directions may miss the worst error, which is in few cells where p has a narrow feature:
+// the neighbours of those with the largest errors are measured too.
 void AreaTable::sample_near_worst(Workers& workers) {
     if (all_measured()) return;
     const TableCells cells = this->cells();

@@ -42,7 +42,7 @@ class AreaTable {
     // Adds all directions that this table knows g at.
     void tell(std::vector<KnownArea>& known) const;
 
-    // Looks where the table may err more than `error` tells, and further where that is more than `enough`;
+    // Searches for errors larger than `error`, and more thoroughly where `error` is above `enough`;
     // adds to `error` what it finds and to `known` where it looked.
     void search(const Shading<double>& material, double enough, Search how, AxisError& error,
                 std::vector<KnownArea>& known, Workers& workers) const;

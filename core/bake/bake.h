@@ -14,10 +14,10 @@ namespace nacre {
 struct BakeOptions {
     Quality quality = Quality::final;
     bool albedo = false;      // R is wanted even if no diffuse term reads it
-    int threads = 0;          // 0, or more than the machine has: as many as it has; the same bits for any
+    int threads = 0;          // 0, or more than the machine has: all of them; the result is the same for any
     double tolerance = 1e-3;  // what a final bake keeps the errors of g (relative) and R (absolute) under
-    std::optional<TableSize> size = {};     // exactly so many nodes, whatever the error
-    std::optional<Symmetry> symmetry = {};  // use no more of it than this, though p has more
+    std::optional<TableSize> size = {};     // exactly these nodes, whatever the error
+    std::optional<Symmetry> symmetry = {};  // use at most this symmetry
 };
 
 // Throws UserError (with an empty file name) when the design holds no facets that face up, and BakeCancelled

@@ -17,7 +17,7 @@ namespace {
 // Of eq. 28's constant, between two rows of R.
 constexpr double final_coupling = 1e-7, draft_coupling = 1e-4;
 
-// A draft's grid is fitted anew when the error of g has grown so much since.
+// A draft's grid is refitted when the error of g has grown by this factor since.
 constexpr double outgrown = 2, outgrown_min = 5e-3;
 
 // Names are not facets.
@@ -196,7 +196,7 @@ void Baker::add_albedo(const Kept& made, Tables& tables, Workers& workers) {
         shading, made.options.quality == Quality::draft ? draft_coupling : final_coupling, workers);
     tables.mean_albedo = integrals.mean;
     shading.surface.coupling = integrals.coupling;
-    // An error of g is one of P in R = E[F P], so that it adds its mean at the most.
+    // An error of g is one of P in R = E[F P], so that it adds at most its mean.
     tables.errors.albedo = albedo.error;
     tables.errors.albedo.worst += tables.errors.area.root_mean_square;
     tables.errors.albedo.root_mean_square += tables.errors.area.root_mean_square;

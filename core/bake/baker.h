@@ -1,4 +1,4 @@
-// Bakes design after design and bakes again only what has changed.
+// Bakes one design after another, and only what has changed.
 #pragma once
 
 #include <functional>
@@ -10,13 +10,13 @@
 
 namespace nacre {
 
-// What became of a table: baked anew; summed again from each lobe's own g, and what a brush added; or kept.
+// How a table was made: rebuilt; updated from each lobe's own g and what a brush added; or reused.
 enum class TableOrigin { rebuilt, updated, reused };
 
 // One worker's memory of its last designs. A final bake gives the same bits as bake() whatever was baked
 // before: it keeps a table only where nothing that the table reads has changed (a colour; with Schlick's
 // Fresnel, f0). A draft also sums g again, on the directions of the draft before, after a change of weights
-// or a touch of the brush; its measured error tells what that costs.
+// or a touch of the brush; its measured error includes the effect.
 class Baker {
   public:
     // As bake(), see bake/bake.h.

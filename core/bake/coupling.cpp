@@ -36,7 +36,7 @@ Integrals integrate_meridian(const Shading<double>& shading, double phi) {
     return sum_shares(shading, directions);
 }
 
-// phi at which rho = (psi + phi)/2 stands on a row of the albedo's tables, first to last: between two of them
+// phi at which rho = (psi + phi)/2 is on a row of the albedo's tables, first to last: between two of them
 // the interpolant is smooth but for the rows of g, which adaptive halving finds.
 std::vector<double> row_azimuths(const Shading<double>& shading) {
     const auto& shape = shading.surface.tables;

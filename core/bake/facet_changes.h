@@ -17,7 +17,7 @@ class FacetChanges {
 
   private:
     std::vector<double> x_, y_, z_;  // mass h
-    std::vector<double> mass_;       // sign and size, to tell the facets that k sees
+    std::vector<double> mass_;       // sign and size, to select the facets that k sees
     dvec3 moment_{0}, centre_{0};
     double radius_ = 0;
 };

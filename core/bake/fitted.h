@@ -1,4 +1,4 @@
-// A table made larger or smaller until its measured error is what is wanted.
+// Chooses the size of a table so that its measured error meets a tolerance.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace nacre {
 // A larger table is only taken if its error is at most this part of the smaller one's.
 inline constexpr double worth_it = 0.9;
 
-// Less likely sizes are only tried for a table whose error is more than this times what is wanted.
+// Less likely sizes are only tried for a table whose error is more than this times the target.
 inline constexpr double near_enough = 1.25;
 
 template <class Table>
@@ -22,21 +22,21 @@ struct Fitted {
     std::shared_ptr<const Table> table;
     AxisError error;
     TableNodes nodes{};
-    bool kept = false;  // to the errors that were wanted; false where any size would do
+    bool kept = false;  // the errors are within the target; false where any size would do
 };
 
 // What is asked of a table.
 struct FitWishes {
-    double target;     // that a size is chosen for, by the directions between its own nodes
-    double tolerance;  // that is to hold wherever the table is looked at
-    int limit;         // so many nodes; 0: the first table, whatever its error
-    int most;          // so many where `limit` does not keep within the tolerance
+    double target;     // error at the directions between the table's own nodes
+    double tolerance;  // error at any direction at which the table is measured
+    int limit;         // nodes; 0: the first table, whatever its error
+    int most;          // nodes, where `limit` does not meet the tolerance
 };
 
 // Finds the size of one table. `maker` knows how: make(nodes) gives a Fitted with the error between its
-// nodes; search(fitted) looks where it errs most and raises its error to that; shared(fitted) is the worst
-// error at all the directions that any table was ever measured at, so that two tables are compared by the
-// same ones.
+// nodes; search(fitted) looks for the largest error and raises the table's error to that; shared(fitted) is
+// the worst error at all the directions that any table was ever measured at, so that two tables are compared
+// by the same ones.
 template <class Maker>
 class TableFit {
   public:
@@ -98,7 +98,7 @@ class TableFit {
         return result;
     }
 
-    // What was left on the way errs less, it may be, where the table that was taken errs most.
+    // A table that was passed over may have the smaller error where the chosen one is worst.
     void look_back(Result& best) {
         for (Result other : made_) {
             if (other.nodes == best.nodes || maker_.shared(other) >= worth_it * best.error.all.worst)
@@ -128,7 +128,7 @@ class TableFit {
     dvec2 errors(const Result& table, dvec2 blamed) const {
         const dvec2 along = glm::max(dvec2{table.error.polar, table.error.azimuth},
                                      blamed * hidden_ / (cells(table.nodes) * cells(table.nodes)));
-        // The two axes rarely err most at the same place.
+        // The largest errors of the two axes are rarely at the same place.
         const double sum = along.x + along.y;
         return sum > 0 ? along * std::fmin(table.error.all.worst / sum, 1.0) : along;
     }
@@ -138,7 +138,7 @@ class TableFit {
         return better_nodes(table.nodes, symmetry_, along.x, along.y, wanted, limit);
     }
 
-    // The error that a table of so many nodes promises.
+    // The error expected of a table with `nodes`.
     double expected(const Result& table, TableNodes nodes, dvec2 blamed) const {
         const dvec2 ratio = cells(table.nodes) / cells(nodes), along = errors(table, blamed) * ratio * ratio;
         return along.x + along.y;
@@ -170,8 +170,8 @@ class TableFit {
     std::vector<TriedSize> tried_;
     std::vector<Result> made_;
     bool searching_ = false;  // each table that is made
-    // The most that any table erred away from the lines between nodes, for one cell along each axis: what
-    // stands between both kinds of nodes hides which of them it owes to.
+    // The largest error of any table away from the lines between nodes, for
+    // one cell along each axis: it may come from either axis.
     dvec2 hidden_{0};
 };
 

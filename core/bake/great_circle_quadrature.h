@@ -51,7 +51,7 @@ class GreatCircleQuadrature {
     // The same for many points, each times its weight; those without facets are left out.
     void add_facets(const WalkPoints& points, WeightedDirections& facets) const;
 
-    // psi runs over two halves, [start, start + pi] and on, parted where the facets turn from k1.
+    // psi runs over two halves, [start, start + pi] and the rest, split where the facets turn away from k1.
     double start() const { return start_; }
 
     // Where R's integrand has a kink or a thin layer, so that rules of integration are used in between; the

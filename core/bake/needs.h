@@ -1,5 +1,6 @@
-// What a design needs of the bake, and what it can do without: asked by the bake, the reference, `info` and
-// `eval` alike. What the shader holds follows from the tables that come of it (shading/shader_variant.h).
+// What a design needs of the bake and what can be left out, for the bake, the
+// reference, `info` and `eval` alike. The shader variant follows from the resulting tables
+// (shading/shader_variant.h).
 #pragma once
 
 #include <optional>
@@ -21,7 +22,7 @@ struct Needs {
 
 struct MoreNeeds {
     bool albedo = false;  // R is wanted even if no diffuse term reads it (ambient light, the `tables` verb)
-    std::optional<Symmetry> symmetry = {};  // use no more of it than this, though p has more
+    std::optional<Symmetry> symmetry = {};  // use at most this symmetry
 };
 
 Needs needs_of(const Design& design, const MoreNeeds& more = {});

@@ -10,11 +10,12 @@ namespace {
 
 using std::numbers::pi;
 
-// D is kept above this part of g(n), so that the coordinates exist where no facet leans at all; A absorbs it.
+// D is kept above this part of g(n), so that the coordinates exist where no facet is tilted at all; A absorbs
+// it.
 constexpr double smallest_width = 1e-6;
 
-// Rows gather this far where p turns away whole on one side; more starves the other side (measured with the
-// slanted velvet: 0.8 to 0.85 errs least).
+// The largest concentration of rows where all of p turns away on one side; more starves the other side
+// (slanted velvet: least error at 0.8 to 0.85).
 constexpr double lean_max = 0.8;
 
 // The sine of the first column's theta, where each row of R holds its own limit at n.
@@ -49,7 +50,7 @@ dvec2 azimuth_at_psi(double psi, const Shading<double>::TableShape& shape) {
 }
 
 // D(phi): g at grazing, its mean over phi and phi + pi. Taking both sides keeps D and with it the coordinates
-// smooth for a p that leans to one side, where one of the two all but vanishes.
+// smooth for a p that is tilted to one side, where one of the two all but vanishes.
 double grazing_width(const FacetDistribution& distribution, double phi, double least) {
     const dvec3 k{std::cos(phi), std::sin(phi), 0};
     return std::fmax(0.5 * (distribution.projected_area(k) + distribution.projected_area(-k)), least);

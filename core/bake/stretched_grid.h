@@ -15,7 +15,7 @@ double cotangent_at_v(double v, double a);
 // shape.
 dvec2 azimuth_at_rho(double rho, const Shading<double>& shading);
 
-// psi or rho at a row of so many, also between two of them, quarter turns.
+// psi or rho at a row or between two rows, quarter turns.
 double row_turns(double row, int nodes, Symmetry symmetry);
 
 // k, or where k is n itself the direction just beside it on the tables' axis, toward which R is meant there:
@@ -24,8 +24,8 @@ dvec3 beside_normal(dvec3 k, dvec2 axis);
 
 class StretchedGrid {
   public:
-    // Measures p: g(n), its width D(phi) at grazing, the ellipse of that width and how far p leans; its
-    // moment, where that is to be left out of the table.
+    // Measures p: g(n), its width D(phi) at grazing, the ellipse of that width and the tilt of p;
+    // its moment, where that is to be left out of the table.
     StretchedGrid(const FacetDistribution& distribution, const DistributionSymmetry& symmetry, int nodes_psi,
                   bool without_moment);
 

@@ -50,7 +50,7 @@ struct Part {
 
 bool upright(const Layer& layer) { return std::fabs(layer.tilt) < 1e-12; }
 
-// `b` is `a` seen in a mirror that stands on the azimuth `axis`.
+// `b` is the mirror image of `a` about the azimuth `axis`.
 bool mirrored(const Part& part, const Layer& b, double axis) {
     const Layer& a = *part.layer;
     if (a.weight != b.weight || a.lobe != b.lobe || a.modulation != b.modulation || a.tilt != b.tilt)

@@ -35,7 +35,7 @@ constexpr int rule_rounds = 2;
 // From here on the form of g that leaves out the moment is tried too.
 constexpr double strong_lean = 0.15;
 
-// The error of g that is good enough for a draft of a p that leans.
+// The error of g that is good enough for a draft of a tilted p.
 constexpr double draft_enough = 0.02;
 
 // Of the mean normal of the facets above the horizon, as a slope; 0 where it is rounding.
@@ -125,8 +125,7 @@ class AlbedoMaker {
         return worse_error(result.error.all.worst, result.table->worst_at(known_));
     }
 
-    // Whether the table errs because its quadrature does, which is finer then; nothing is known by the new
-    // one.
+    // Whether the error is that of the quadrature, which is then refined; nothing is known by the new one.
     bool refine_rules(const Result& result) {
         if (!rules_.refine_at(result.table->worst_of(known_, rule_trials))) return false;
         known_.clear();
@@ -141,7 +140,7 @@ class AlbedoMaker {
     std::vector<KnownAlbedo> known_;
 };
 
-// Of two tables: the smaller where both keep to what was wanted, else the one that errs less.
+// Of two tables: the smaller where both keep to what was wanted, else the one with the smaller error.
 bool first_is_better(const AreaMaker& maker, const Fitted<AreaTable>& a, const Fitted<AreaTable>& b) {
     if (a.kept && b.kept) return a.nodes.polar * a.nodes.azimuth < b.nodes.polar * b.nodes.azimuth;
     return maker.shared(a) < maker.shared(b);
@@ -168,7 +167,7 @@ FittedArea fit_area(const std::shared_ptr<const FacetDistribution>& distribution
     const double leaning = lean_of(*distribution);
     const bool missed = draft ? fitted.error.all.worst > draft_enough : fixed || !fitted.kept;
     maker.leave_out_moment(true);
-    // Where the first form serves, the other is only fitted if its smallest table errs half as much.
+    // Where the first form is good enough, the other is only fitted if its smallest table has half the error.
     auto promising = [&] {
         return !fixed && maker.make(first).error.all.worst < 0.5 * with.tried().front().worst;
     };

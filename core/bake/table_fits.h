@@ -1,4 +1,4 @@
-// The tables of g and R as large as a wanted error asks for.
+// Tables of g and R, sized for a given error.
 #pragma once
 
 #include "core/bake/albedo_table.h"
@@ -6,7 +6,7 @@
 
 namespace nacre {
 
-// A table, what it errs wherever it was looked at, and all sizes that were tried.
+// A table, its largest measured error, and all sizes that were tried.
 struct FittedArea {
     std::shared_ptr<const AreaTable> table;
     AxisError error;

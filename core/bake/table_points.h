@@ -7,10 +7,10 @@
 
 namespace nacre {
 
-// At a node, half way between two along theta or along the azimuth, or amid four.
+// At a node, half way between two along theta or along the azimuth, or between four.
 enum class TablePlace { node, along_polar, along_azimuth, centre };
 
-// A point of a table, in cells from its first node, and what it stands between.
+// A point of a table, in cells from its first node, and its place between nodes.
 struct TablePoint {
     double column, row;
     TablePlace place;
@@ -39,14 +39,14 @@ class TableCells {
     // One in every cell, the places in turn.
     std::vector<TablePoint> one_a_cell() const;
 
-    // So many, the places in turn, in cells scattered evenly (Roberts 2018, the R2 sequence).
+    // This many, the places in turn, in cells scattered evenly (Roberts 2018, the R2 sequence).
     std::vector<TablePoint> scattered(int count) const;
 
-    // So many within the last cell before the horizon, which may hold a layer thinner than itself.
+    // This many within the last cell before the horizon, which may hold a layer thinner than itself.
     std::vector<TablePoint> grazing(int count) const;
 
-    // A comb within the last cell of each row, on the row and half way to the next: what bends beside the
-    // horizon stands at no usual place.
+    // A comb within the last cell of each row, on the row and half way to the next: kinks beside the
+    // horizon may be anywhere in the cell.
     std::vector<TablePoint> beside_horizon() const;
 
     // The cell that holds `point` and those that touch it.

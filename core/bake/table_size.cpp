@@ -12,7 +12,7 @@ constexpr std::array<int, 30> steps = {8,   12,  16,  20,  24,  28,  32,   40,  
                                        64,  72,  80,  88,  96,  112, 128,  160,  192,  224,
                                        256, 320, 384, 448, 512, 768, 1024, 1536, 2048, 3072};
 
-// Rows for so many cells: a full turn closes on its first row.
+// Rows for a number of cells: a full turn closes on its first row.
 int rows(int cells, Symmetry symmetry) {
     if (symmetry == Symmetry::isotropic) return 1;
     return symmetry == Symmetry::none ? cells : cells + 1;

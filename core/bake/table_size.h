@@ -18,7 +18,7 @@ struct TableSize {
 // A draft's own size, which is not refined, and where the refining of a final bake begins.
 TableSize first_size(Symmetry symmetry, Quality quality);
 
-// Cells along the azimuth of a table with so many nodes there: a full turn closes on its first row, a
+// Cells along the azimuth of a table with this many nodes there: a full turn closes on its first row, a
 // mirrored part of one ends on rows of its own, and a single row stands for all of them.
 int azimuth_cells(int nodes, Symmetry symmetry);
 

@@ -1,4 +1,4 @@
-// What a bake makes: small tables of g(k) and R(k), and everything a renderer needs beside them.
+// The result of a bake: small tables of g(k) and R(k), and everything else that a renderer needs.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace nacre {
 
-// Of one quantity over so many directions; 0 directions: not measured.
+// Error of one quantity over `directions`; 0: not measured.
 struct TableError {
     double worst = 0;
     double root_mean_square = 0;
@@ -46,7 +46,7 @@ struct Tables {
     Needs needs;
     std::vector<Omission> omissions;  // what the design does not need
     Quality quality = Quality::final;
-    TableSize size;  // as the bake chose it, or as it was asked for
+    TableSize size;  // chosen by the bake, or requested
     std::shared_ptr<const FacetDistribution> distribution;
     std::vector<float> data;
     Shading<double> shading;
@@ -56,31 +56,31 @@ struct Tables {
     double tolerance = 0;    // that the bake was asked for
     TableErrors errors;      // measured by the bake, on directions between nodes
     std::vector<TriedSize> tried_area, tried_albedo;  // on the way to `size`
-    double seconds = 0;                               // that the request took
-    double bake_seconds = 0;  // that the tables took when they were made, for this request or one before
+    double seconds = 0;                               // duration of the request
+    double bake_seconds = 0;  // duration of making the tables, for this request or an earlier one
 
     std::size_t table_floats() const;  // of `data`: the tables without curves and pictures
 };
 
 // Error of the tables' g at k, given g itself: relative to max(g, N c), which is what the BRDF divides by (to
-// g without clamp), and to no less than a twentieth of p's own width there. Less than that g has only where a
-// p that leans to one side turns away almost whole. Infinite where either g is no number.
+// g without clamp), and to at least a twentieth of p's own width there: g is smaller than
+// that only where a tilted p turns away almost entirely. Infinite where either g is NaN.
 double area_error(const Shading<double>& shading, dvec3 k, double exact);
 
-// The same error of a g that was read from anywhere, so that every way of storing g is measured alike;
-// `shading` holds the design's finished tables, which tell N, the clamp and p's own width.
+// The same error of any other approximation `read` of g, so that all methods of storing g
+// are measured alike; `shading` holds the design's finished tables, for N, the clamp and p's own width.
 double area_error(const Shading<double>& shading, dvec3 k, double read, double exact);
 
 // R at k as the tables hold it, with F = 1 and with each of the Fresnel factors; k.z >= 0.
 Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels);
 
-// Error of that, whichever factor errs most; `exact` as AlbedoQuadrature gives it.
+// Error of that, the largest over the factors; `exact` as AlbedoQuadrature gives it.
 double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels);
 
-// The larger of two errors; one that is no number is infinite.
+// The larger of two errors; NaN counts as infinite.
 double worse_error(double a, double b);
 
-// Worst and root mean square; both are infinite where an error is no number.
+// Worst and root mean square; both are infinite where an error is NaN.
 TableError summarise(const std::vector<double>& errors);
 
 }  // namespace nacre

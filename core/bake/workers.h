@@ -17,7 +17,7 @@ struct BakeCancelled : std::runtime_error {
 
 class Workers {
   public:
-    // threads = 0, or more than the machine has: as many as it has.
+    // threads = 0, or more than the machine has: all of the machine's.
     explicit Workers(int threads, std::stop_token stop = {});
     ~Workers();
     Workers(const Workers&) = delete;

@@ -11,8 +11,8 @@ namespace {
 constexpr double first_step = 0.25;
 constexpr int climb_rounds = 7;
 
-// Within the last cell before the horizon a step of one cell is so many halvings of the distance to it, which
-// ends here.
+// Within the last cell before the horizon a step of one cell is this many halvings of the distance to it,
+// which ends here.
 constexpr double halvings = 4, nearest = 1e-7;
 
 }  // namespace
@@ -78,11 +78,11 @@ void WorstSearch::look_at_bends(const std::vector<double>& bends, int count, boo
     for (auto cell = order.begin(); cell != kept; ++cell) {
         if (between)
             for (const TablePoint& point : cells_.every_place_of(*cell)) points.push_back(point);
-        // A fold of what is stored errs most near a corner as often as in the middle.
+        // At a fold the largest error is near a corner as often as in the middle.
         const int turn = static_cast<int>(cell - order.begin());
-        points.push_back({*cell % cells_.columns() + (turn % 2 == 0 ? 0.25 : 0.75),
-                          cells_.flat() ? 0 : *cell / cells_.columns() + (turn / 2 % 2 == 0 ? 0.25 : 0.75),
-                          TablePlace::centre});
+        const int column = *cell % cells_.columns(), row = *cell / cells_.columns();
+        points.push_back({column + (turn % 2 == 0 ? 0.25 : 0.75),
+                          cells_.flat() ? 0 : row + (turn / 2 % 2 == 0 ? 0.25 : 0.75), TablePlace::centre});
     }
     look_at(points);
 }

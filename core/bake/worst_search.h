@@ -1,4 +1,5 @@
-// Where a table errs most: looked for in the cells where its own nodes bend most, and uphill from the worst.
+// Searches for the largest error of a table: in the cells where its nodes curve most, then uphill from the
+// worst.
 #pragma once
 
 #include <functional>
@@ -9,16 +10,16 @@
 
 namespace nacre {
 
-// The least k.n of a search, and of what claims are checked by: no layer before the horizon is too thin to be
-// found otherwise.
+// The smallest k.n of a search and of the checks of claims: closer to the horizon arbitrarily thin
+// layers could be found.
 inline constexpr double lowest_cosine = 1e-5;
 
-// k, or the direction above it that stands so high.
+// k, or the direction above it at that height.
 dvec3 not_below_lowest(dvec3 k);
 
 // For each cell the most that a table of these nodes, row by row, bends at a corner: of what is smooth,
-// linear interpolation errs by an eighth of its second differences. `weights`: what an error at each node
-// counts.
+// linear interpolation has an error of an eighth of its second differences. `weights`: what an error at each
+// node counts.
 std::vector<double> cell_bends(TableNodes nodes, Symmetry symmetry, const float* values,
                                const std::vector<double>& weights);
 
@@ -29,7 +30,7 @@ enum class Search { usual, thorough };
 // The errors of one table at chosen points, and the worst of them.
 class WorstSearch {
   public:
-    // The errors at so many points, several at a time.
+    // The errors at these points, several at a time.
     using ErrorsAt = std::function<std::vector<double>(const std::vector<TablePoint>&)>;
 
     WorstSearch(const TableCells& cells, ErrorsAt errors_at)
@@ -37,10 +38,10 @@ class WorstSearch {
 
     void look_at(const std::vector<TablePoint>& points);
 
-    // In so many cells that bend most. `between`: what stands between nodes is not known from elsewhere.
+    // In the cells that curve most. `between`: errors between nodes are not known yet.
     void look_at_bends(const std::vector<double>& bends, int count, bool between);
 
-    // From so many of the worst points, no two of them neighbours, to where the error is largest.
+    // From the worst points, no two of them neighbours, to where the error is largest.
     void climb(int starts);
 
     // Errors that are known already.

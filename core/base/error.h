@@ -1,5 +1,5 @@
-// Errors of the user: a file that is wrong, or that cannot be read or written. Mistakes of the
-// programmer are asserts and never take this form.
+// Errors of the user: a file that is wrong, or that cannot be read or written. Programming
+// mistakes are asserts, never these.
 #pragma once
 
 #include <exception>
@@ -19,11 +19,11 @@ struct UserError : std::runtime_error {
     std::string found;    // may be empty
 };
 
-// What was thrown, for a place that has named the file already: a UserError without its file, or what() of
-// anything else.
+// The message of what was thrown, for output that names the file already: a UserError's without the
+// file, else what().
 std::string plain_words(const std::exception_ptr& error);
 
-// What was thrown, in one line that names the file: what() of all but what the language itself throws.
+// The message of what was thrown, in one line: what(), except for exceptions of the standard library.
 std::string problem_line(const std::exception_ptr& error = std::current_exception());
 
 // The text on one line of printable UTF-8: control characters and bytes that are not UTF-8 become

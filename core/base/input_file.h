@@ -19,10 +19,10 @@ std::string input_file_problem(const std::filesystem::path& file,
 std::string read_text_file(const std::filesystem::path& file,
                            std::uintmax_t bytes_max = limits::file_bytes_max);
 
-// The text without the mark of UTF-8 that some editors put before it.
+// The text without a UTF-8 byte order mark.
 std::string_view without_byte_order_mark(std::string_view text);
 
-// Without its end; the same errors. A file with no line's end is its first line.
+// The first line without its line end; the same errors. A file without a line end is one line.
 std::string read_first_line(const std::filesystem::path& file,
                             std::uintmax_t bytes_max = limits::file_bytes_max);
 

@@ -1,5 +1,5 @@
-// Reads typed values out of a JSON tree. Whatever is not as it must be is a UserError that names the
-// value's path, says what is allowed there and what was found.
+// Reads typed values out of a JSON tree. Any mistake is a UserError with the value's
+// path, what is allowed there and what was found.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,7 +13,7 @@
 
 namespace nacre {
 
-// One value of the tree with the place it stands at.
+// One value of the tree with its path.
 class JsonValue {
   public:
     JsonValue(const nlohmann::json& json, std::string path, const std::string& file)
@@ -44,7 +44,7 @@ class JsonValue {
 };
 
 // An object whose keys are asked for one by one. A key that is missing leaves the default; finish()
-// refuses the keys that nobody asked for.
+// refuses keys that were not asked for.
 class ObjectReader {
   public:
     explicit ObjectReader(const JsonValue& object);

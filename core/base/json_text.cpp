@@ -21,7 +21,7 @@ using nlohmann::json;
 constexpr std::size_t depth_max = 32;
 constexpr std::size_t array_max = std::size_t{limits::raster_max} * limits::raster_max;
 // Every layer may hold a raster and a modulation; keys, texts and containers are few beside them.
-constexpr std::size_t numbers_max = 2 * (limits::layers_max + 1) * array_max;
+constexpr std::size_t numbers_max = 2 * (std::size_t{limits::layers_max} + 1) * array_max;
 constexpr std::size_t others_max = 50'000;
 
 std::string line_and_column(std::string_view text, std::size_t position) {

@@ -1,5 +1,5 @@
-// JSON text as a tree, with what a plain parser lets through refused: keys that stand twice, numbers
-// that overflow, nesting and sizes that no design has.
+// JSON text as a tree, stricter than a plain parser: duplicate keys, numbers that overflow, and
+// nesting or sizes that no design has are refused.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// One worker thread that always works on the newest request. The interface submits, polls once a
-// frame and waits for a moment at the most; a command line submits and waits. Each result carries the
+// One worker thread that always works on the newest request. The interface submits, polls
+// once a frame and waits briefly at most; a command line submits and waits. Each result carries the
 // revision of the request it was made for.
 #pragma once
 

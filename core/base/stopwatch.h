@@ -1,4 +1,4 @@
-// Time on the clock since it was made.
+// Wall-clock time since construction.
 #pragma once
 
 #include <chrono>

@@ -30,7 +30,7 @@ struct ClosedForm {
         albedo;  // its tables, to stand at form.albedo_offset, behind the surface's own data; or empty
 };
 
-// The model whose facets lean as far as those of the tables' p: equal median slopes along the principal axes
+// The model of the same width as the tables' p: equal median slopes along the principal axes
 // (facet_slopes.h). Slopes of Beckmann's facets are Gaussian with alpha^2/2 for variance, and Ward's alpha is
 // theirs, so alpha = median/0.4769; GGX has alpha = sqrt(3) median. Oren and Nayar's sigma, of one angle, is
 // atan(median)/0.6745 of the mean median, and rho the mean albedo of the design in each colour: for that the

@@ -1,5 +1,5 @@
-// How far the facets of p lean, as widths that every p has: those of GGX and of a velvet too, whose slopes
-// have no second moment.
+// Median slopes of the facets of p: widths that every p has, also GGX and velvet, whose
+// slopes have no second moment.
 #pragma once
 
 #include "core/model/facet_distribution.h"
@@ -9,7 +9,7 @@ namespace nacre {
 // In the tangent plane, along the principal axes of <h h'> (which are p's mirror axes where it mirrors): half
 // of the facets, by the area they show to n, have a slope |h.axis|/(h.n) of at most `median`.
 struct FacetSlopes {
-    double azimuth = 0;  // radians from the tangent to the first axis, along which facets lean least
+    double azimuth = 0;  // radians from the tangent to the first axis, along which slopes are smallest
     dvec2 median{0};
 };
 

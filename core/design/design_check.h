@@ -1,4 +1,4 @@
-// What a design needs as a whole, beyond the range of each value.
+// Conditions on a design as a whole, beyond the range of each value.
 #pragma once
 
 #include <string>

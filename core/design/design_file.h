@@ -19,8 +19,8 @@ Design load_design(const std::filesystem::path& file);
 Design parse_design(std::string_view json_text, const std::string& file_name_for_errors,
                     const std::filesystem::path& base_dir);
 
-// The same for whoever goes on with the work: a design that holds no facets yet, or none any more, is work
-// too.
+// The same for unsaved work, which may hold no
+// facets.
 Design load_work(const std::filesystem::path& file);
 Design parse_work(std::string_view json_text, const std::string& file_name_for_errors,
                   const std::filesystem::path& base_dir);
@@ -29,7 +29,7 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
 // that the chosen models do not have (the correlation width of `uncorrelated`) are not in it.
 std::string design_json(const Design& design, const std::filesystem::path& base_dir);
 
-// The file appears whole or not at all. Returns what it holds.
+// The file appears whole or not at all. Returns its content.
 FileContent save_design(const Design& design, const std::filesystem::path& file);
 
 }  // namespace nacre

@@ -1,4 +1,4 @@
-// The pictures of a design, wherever they stand in it.
+// The pictures of a design: painted layers and modulations.
 #pragma once
 
 #include <fmt/core.h>
@@ -31,7 +31,7 @@ void for_each_picture(AnyDesign& design, const Visit& visit) {
 Design with_pictures_reread(Design design, const std::vector<std::filesystem::path>& files,
                             const std::string& error_file);
 
-// The design with these pictures held in it, as they were read, in place of their files.
+// The design with these pictures embedded, as they were read, in place of their files.
 Design with_pictures_held(Design design, const std::vector<std::filesystem::path>& files);
 
 }  // namespace nacre

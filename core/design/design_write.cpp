@@ -92,7 +92,7 @@ std::string curve_text(const std::vector<std::pair<double, double>>& points) {
     return '[' + text + ']';
 }
 
-// The value of one parameter, as it stands in the file.
+// The value of one parameter as JSON text.
 template <class T>
 std::string value_text(const T& kind, const NumberParameter<T>& parameter) {
     return number(kind.*parameter.member);
@@ -114,7 +114,7 @@ std::string value_text(const T& kind, const CurveParameter<T>& parameter) {
     return curve_text(kind.*parameter.member);
 }
 
-// `, "key": value` of every parameter but pictures, which stand last in a layer.
+// `, "key": value` of every parameter but pictures, which come last in a layer.
 template <class Variant>
 std::string parameters_text(const Variant& value) {
     std::string text;

@@ -1,5 +1,5 @@
-// Undo and redo: the designs that were, in order. A design that takes the place of another, as a preset does,
-// is a document of its own: what is saved of one tells nothing about the other.
+// Undo and redo: a list of designs. A design that replaces another, as a preset does, is a document of its
+// own: whether one is saved says nothing about the other.
 #pragma once
 
 #include <deque>
@@ -19,7 +19,7 @@ class History {
     const Design& current() const { return states_[position_].design; }
     int document() const { return states_[position_].document; }  // that the current design belongs to
 
-    // A design equal to the current one adds no step; any other drops what could be redone.
+    // A design equal to the current one adds no step; any other discards the steps that could be redone.
     void commit(const Design& design);
 
     // The design as a new document, in one step of undo. It counts as saved.
@@ -27,7 +27,7 @@ class History {
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ + 1 < states_.size(); }
-    void undo();  // without effect where there is nothing to undo
+    void undo();  // no effect where there is nothing to undo
     void redo();
 
     // Of the current document.

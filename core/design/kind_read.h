@@ -15,7 +15,7 @@ Picture read_picture(const JsonValue& json, const std::filesystem::path& base_di
 
 namespace kind_detail {
 
-// A member that is missing in the file keeps its default.
+// A missing member keeps its default.
 template <class T>
 void read_parameter(ObjectReader& reader, T& kind, const NumberParameter<T>& parameter) {
     double& value = kind.*parameter.member;
@@ -52,7 +52,7 @@ void read_parameter(ObjectReader& reader, T& kind, const CurveParameter<T>& para
                                             parameter.value_bounds, parameter.points_max);
 }
 
-// Only that it is there: files are opened when nothing else is wrong.
+// Checks only that it is present: files are opened when nothing else is wrong.
 template <class T>
 void read_parameter(ObjectReader& reader, T&, const PictureParameter<T>& parameter) {
     reader.required(parameter.text.key, "a picture's path or a raster");

@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-// Of every picture that stands beside the design, of layers that are switched off too; each once.
+// Of every picture that is a file, disabled layers included; each once.
 std::vector<std::filesystem::path> picture_files(const Design& design);
 
 }  // namespace nacre

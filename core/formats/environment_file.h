@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-// A procedural environment's name, else the path of a picture by latitude and longitude. A UserError of the
+// A procedural environment's name, else the path of a lat-long picture. A UserError of the
 // path where it is neither.
 std::shared_ptr<const Environment> load_environment(const std::string& name_or_file);
 

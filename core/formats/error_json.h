@@ -1,4 +1,4 @@
-// Measured errors as JSON, the same words in every file and answer.
+// Measured errors as JSON, with the same keys in every file and answer.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -16,7 +16,7 @@
 
 namespace nacre {
 
-// What was composed, to be written where it is wanted.
+// The composed files, not yet written.
 class ExportWriter {
   public:
     explicit ExportWriter(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -69,7 +69,7 @@ std::string about(const ExportFormat& format, std::string_view prefix);
 // What is wrong with a prefix of names, or nothing: letters, digits and single underscores, a letter first.
 std::string prefix_problem(std::string_view prefix);
 
-// Null for a name that is none.
+// Null for an unknown name.
 const ExportFormat* export_format(std::string_view name);
 
 }  // namespace nacre

@@ -39,7 +39,7 @@ std::optional<double> number_of(std::string_view text) {
     return value;
 }
 
-// An index as it stands; an empty text is 0, which is no index.
+// An index as written; an empty text is 0, which is not a valid index.
 std::optional<long long> index_of(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     long long value = 0;
@@ -75,7 +75,7 @@ class Reader {
 
     std::string name_;
     Triangles result_;
-    // Their indices count from 0. A face may name what stands below it: they are looked at when all is read.
+    // Their indices count from 0. A face may refer to later lines, so indices are checked when all is read.
     std::vector<Triangles::Corner> corners_;
     std::vector<Polygon> polygons_;
     std::size_t triangles_ = 0;

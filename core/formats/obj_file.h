@@ -16,7 +16,7 @@ inline constexpr std::size_t obj_triangles_max = 2'000'000;
 // that names the line. `note`, where given, becomes what was left out or made up, in one line; mostly empty.
 Mesh load_obj(const std::filesystem::path& file, std::string* note = nullptr);
 
-// The same from the text; `name` stands in errors.
+// The same from the text; `name` is used in errors.
 Mesh parse_obj(const std::string& text, const std::string& name, std::string* note = nullptr);
 
 }  // namespace nacre

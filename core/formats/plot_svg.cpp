@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/file_ending.h"
+#include "core/base/file_extension.h"
 #include "core/base/system/atomic_file.h"
 #include "core/base/utf8.h"
 #include "core/formats/plot_files.h"
@@ -134,14 +134,14 @@ std::string plot_svg(const PointPlot& plot) {
 }
 
 void check_plot_file(const std::filesystem::path& file) {
-    const std::string ending = ending_of(file);
-    if (ending != ".svg" && ending != ".csv")
+    const std::string extension = extension_of(file);
+    if (extension != ".svg" && extension != ".csv")
         throw UserError(file.string(), "write", "a plot is a .svg or a .csv file");
 }
 
 std::string plot_text(const std::filesystem::path& file, const Plot& plot, const ShapeView& view) {
     check_plot_file(file);
-    return ending_of(file) == ".svg" ? plot_svg(plot, view) : plot_csv(plot);
+    return extension_of(file) == ".svg" ? plot_svg(plot, view) : plot_csv(plot);
 }
 
 void write_plot(const std::filesystem::path& file, const Plot& plot, const ShapeView& view) {

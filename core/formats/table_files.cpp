@@ -92,7 +92,7 @@ std::vector<fs::path> table_files(const fs::path& folder, const Design& design) 
     return files;
 }
 
-// The manifest never stands beside tables that it does not describe, nor tables of two designs together.
+// The manifest is never beside tables that it does not describe, nor tables of two designs together.
 void write_table_files(const fs::path& folder, const Design& design, const Tables& tables,
                        const TableErrors& errors) {
     const OutputFolder made(folder);

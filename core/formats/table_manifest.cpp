@@ -42,7 +42,7 @@ Json layer_json(const Tables& tables, int index, const Lobe& lobe) {
     return json;
 }
 
-// The lobes that the shader's layers stand for, in their order.
+// The lobes of the shader's layers, in their order.
 std::vector<const Lobe*> lobes_in_use(const Distribution& distribution) {
     std::vector<const Lobe*> lobes;
     for (const Layer& layer : distribution.layers)

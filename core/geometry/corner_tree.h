@@ -1,4 +1,4 @@
-// The corners of a polygon that stand in the way of cutting off an ear, found by where they are.
+// Finds the corners of a polygon that block the cutting of an ear, by position.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Surfaces of triangles. Knows nothing of how they are drawn.
+// Triangle meshes, independent of how they are drawn.
 #pragma once
 
 #include <cstdint>

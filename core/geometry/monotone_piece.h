@@ -10,7 +10,7 @@
 
 namespace nacre {
 
-// Which of a part's two chains a corner stands on.
+// Which of a part's two chains a corner is on.
 enum class Chain { low, high };
 
 inline Chain other(Chain chain) { return chain == Chain::low ? Chain::high : Chain::low; }

@@ -24,8 +24,8 @@ constexpr double rounded = 1e-12;
 
 int sign_of(double value, double zero) { return value > zero ? 1 : value < -zero ? -1 : 0; }
 
-// Where the sweep stands inside the polygon, between two of its edges. Edge i runs from corner i to the next:
-// to the right where the inside is above it, to the left where it is below.
+// An interval of the sweep line inside the polygon, between two of its edges. Edge i runs from corner i to
+// the next: to the right where the inside is above it, to the left where it is below.
 struct Interval
     : boost::intrusive::set_base_hook<boost::intrusive::link_mode<boost::intrusive::normal_link>> {
     std::size_t low = 0, high = 0;  // edges

@@ -10,7 +10,7 @@
 namespace nacre {
 
 // Appends the n - 2 triangles of the polygon with these corners of `points`, in about n log n steps whatever
-// its shape (Garey, Johnson, Preparata & Tarjan 1978). Corners may stand in one place, and edges may touch.
+// its shape (Garey, Johnson, Preparata & Tarjan 1978). Corners may coincide, and edges may touch.
 // False, with nothing appended, where the polygon crosses itself or turns clockwise. `steps` is raised by the
 // edges and corners that were looked at.
 bool sweep_polygon(std::span<const glm::dvec2> points, std::span<const std::size_t> corners,

@@ -1,5 +1,5 @@
-// A mesh out of what a file gives: corners that share positions, and normals and tangents only where somebody
-// made them.
+// Makes a mesh of a file's polygons: corners share positions, and normals and tangents may
+// be missing.
 #pragma once
 
 #include <array>

@@ -80,7 +80,7 @@ Mesh torus(float tube) {
     Mesh mesh;
     for (std::uint32_t row = 0; row <= around; ++row)
         for (std::uint32_t column = 0; column <= across; ++column) {
-            // The last line stands on the first.
+            // The last line coincides with the first.
             const float u = 2 * pi * static_cast<float>(row % around) / around;
             const float v = 2 * pi * static_cast<float>(column % across) / across;
             const glm::vec3 outward(std::sin(u), 0, std::cos(u));

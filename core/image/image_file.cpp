@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "core/base/file_ending.h"
+#include "core/base/file_extension.h"
 #include "core/base/system/atomic_file.h"
 
 namespace nacre {
@@ -13,10 +13,10 @@ namespace nacre {
 namespace fs = std::filesystem;
 
 ImageFormat image_format(const fs::path& file) {
-    const std::string ending = ending_of(file);
-    if (ending == ".png") return ImageFormat::png;
-    if (ending == ".exr") return ImageFormat::exr;
-    throw UserError(file.string(), "write", "the name of a picture must end in .png or .exr", ending);
+    const std::string extension = extension_of(file);
+    if (extension == ".png") return ImageFormat::png;
+    if (extension == ".exr") return ImageFormat::exr;
+    throw UserError(file.string(), "write", "the name of a picture must end in .png or .exr", extension);
 }
 
 std::string_view text_of(const ImageBytes& bytes) {

@@ -1,4 +1,4 @@
-// A picture of the light from all around: radiance by latitude and longitude.
+// Lat-long (equirectangular) environment maps of radiance.
 //
 // Directions are those of the view: x right, y up, z toward the viewer. The top row touches the zenith (+y),
 // the middle of the picture lies behind the object (-z), where the viewer looks, and columns run to the right

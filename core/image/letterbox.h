@@ -4,9 +4,9 @@
 
 namespace nacre {
 
-// The raster in the middle of a square whose sides are its longer one, 0 beside it: no value changes, and
-// nothing is stretched. Where an odd number of rows or columns is added the larger half stands below or
-// right.
+// The raster padded with 0 to a square, centred and
+// not resampled. Of an odd number of added rows or
+// columns the larger half is below or at the right.
 Raster letterboxed(const Raster& raster);
 
 }  // namespace nacre

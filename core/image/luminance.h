@@ -1,4 +1,4 @@
-// How bright a colour is.
+// Luminance of a colour.
 #pragma once
 
 #include <glm/vec3.hpp>

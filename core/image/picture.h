@@ -1,4 +1,4 @@
-// Pictures that are read. One that was decoded is kept for a while, so that the same content is decoded once.
+// Pictures that are read. A cache keeps decoded pictures, so that the same content is decoded once.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace nacre {
 
-// The endings of the files that can be read, ".png" and so on, but for drawings (".svg").
-const std::vector<std::string>& picture_endings();
+// The extensions of the files that can be read, ".png" and so on, but for drawings (".svg").
+const std::vector<std::string>& picture_extensions();
 
 enum class PictureShape {
     square,  // any other is an error
@@ -39,8 +39,8 @@ std::shared_ptr<const Raster> load_shared_picture(const std::filesystem::path& f
 // instead, and a note says so. A UserError of the picture itself.
 Raster load_stamp(const std::filesystem::path& file, PictureNotes* notes = nullptr);
 
-// Three numbers a pixel as they are stored, integers over their largest value, without regard to alpha; a
-// grey is repeated. Upright, rows from the top. Of any shape.
+// Three numbers a pixel as stored, integers over their largest value, not multiplied by alpha;
+// grey is repeated. Upright, rows from the top, any shape.
 struct ColourPicture {
     int width = 0, height = 0;
     std::vector<glm::vec3> colours;
@@ -49,10 +49,10 @@ struct ColourPicture {
     std::vector<float> alpha = {};  // a number a pixel; empty where the file has none
 };
 
-// For pictures that are no looks but data, such as normals. A UserError of the picture itself.
+// For pictures that hold data, such as normals. A UserError of the picture itself.
 ColourPicture load_colours(const std::filesystem::path& file, PictureNotes* notes = nullptr);
 
-// A surrounding by latitude and longitude: linear radiance of at most 2048 x 1024 texels, averaged down from
+// A lat-long environment map: linear radiance of at most 2048 x 1024 texels, averaged down from
 // at most 16384 x 8192 pixels. One that is not quite twice as wide as high is fitted, negative radiance
 // counts as 0. A UserError of the picture itself.
 LatLong load_lat_long(const std::filesystem::path& file, PictureNotes* notes = nullptr);

@@ -1,11 +1,9 @@
 #include "core/image/picture_cache.h"
 
 #include <algorithm>
-#include <fstream>
-#include <functional>
+#include <cstdint>
 #include <list>
 #include <mutex>
-#include <string_view>
 #include <utility>
 
 #include "core/base/input_file.h"
@@ -37,20 +35,8 @@ Cache& cache() {
 
 }  // namespace
 
-std::optional<FileContent> content_of(const std::filesystem::path& file) {
-    constexpr std::size_t block_size = 1u << 20;
-    if (!input_file_problem(file, worth_reading).empty()) return {};
-    std::ifstream stream(file, std::ios::binary);
-    std::string block(block_size, '\0');
-    FileContent content;
-    do {
-        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-        const auto count = static_cast<std::size_t>(stream.gcount());
-        content.size += count;
-        content.hash = content.hash * 0x9E3779B97F4A7C15u +
-                       std::hash<std::string_view>()(std::string_view(block).substr(0, count));
-    } while (stream);
-    return stream.bad() ? std::nullopt : std::optional(content);
+std::optional<FileContent> picture_file_content(const std::filesystem::path& file) {
+    return input_file_problem(file, worth_reading).empty() ? content_of_file(file) : std::nullopt;
 }
 
 std::optional<KeptPicture> kept_picture(const FileContent& content, const std::string& use) {

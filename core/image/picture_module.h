@@ -1,5 +1,5 @@
-// What reads and writes pictures, as a library of its own: OpenImageIO brings two hundred others that take
-// longer to load than all the rest of the program, and most runs never meet a picture.
+// Reading and writing of pictures as a shared library, loaded on demand: OpenImageIO brings two hundred
+// others that take longer to load than the rest of the program, and most runs use no picture.
 #pragma once
 
 #include <cstdint>
@@ -28,5 +28,5 @@ struct PictureModule {
 
 }  // namespace nacre
 
-// The one name that the library shows.
+// The one symbol that the library exports.
 extern "C" const nacre::PictureModule* nacre_picture_module();

@@ -18,11 +18,11 @@ struct Raster {
     bool operator==(const Raster&) const = default;
 };
 
-// What is worth to be said of a picture that was read: a part that is not used, a size that was changed.
-// One sentence each, without the file.
+// Remarks on a picture that was read: a part that is not used, a size that was
+// changed. One sentence each, without the file.
 using PictureNotes = std::vector<std::string>;
 
-// A raster held in the design, or a picture file that stands beside it. `file` is absolute and empty
+// A raster held in the design, or a picture file beside it. `file` is absolute and empty
 // when the raster is held in the design. `raster` is never null in a loaded design.
 struct Picture {
     std::filesystem::path file;

@@ -16,7 +16,7 @@
 
 namespace nacre {
 
-// Levels of ranges, each parted into four; the ranges of the last hold `leaf_size` directions.
+// Levels of ranges, each split into four; the ranges of the last hold `leaf_size` directions.
 inline constexpr int order_levels = 5;
 inline constexpr int order_leaves = 1 << (2 * order_levels);
 inline constexpr int order_leaf_size = 64;

@@ -1,4 +1,4 @@
-// What surrounds the object, ready to be looked up and to be drawn from.
+// An environment map, ready to be looked up and sampled.
 #pragma once
 
 #include <memory>

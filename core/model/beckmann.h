@@ -1,4 +1,5 @@
-// Beckmann facets, normalised to N = <n.h> = 1. Eq. 34 is a mixture of them, so they stand on their own.
+// Beckmann facets, normalised to N = <n.h> = 1. Eq. 34 is a mixture of them, so they are a function of their
+// own.
 #pragma once
 
 #include "core/model/lobe.h"

@@ -14,8 +14,8 @@
 
 namespace nacre {
 
-// The middle of a texel on the equal-area disk. Mirrored texels have mirrored middles to the bit where the
-// side is a power of two.
+// The middle of a texel on the equal-area disk. Mirrored texels have exactly mirrored middles where the side
+// is a power of two.
 inline glm::dvec2 texel_point(int side, int row, int column) {
     return {2 * (column + 0.5) / side - 1, 1 - 2 * (row + 0.5) / side};
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double smallest_mean_cosine = 1e-7;
 
 glm::dmat3 rotation_about_z(double degrees) {
-    // Quarter turns stay exact, so that mirrored layers mirror to the bit.
+    // Quarter turns stay exact, so that mirrored layers mirror exactly.
     const double turns = degrees / 90;
     double c = std::cos(degrees * (std::numbers::pi / 180)), s = std::sin(degrees * (std::numbers::pi / 180));
     if (turns == std::round(turns)) {
@@ -31,8 +31,8 @@ glm::dmat3 rotation_about_z(double degrees) {
 glm::dmat3 layer_frame(const Layer& layer) {
     const double tilt = layer.tilt * (std::numbers::pi / 180);
     const double c = std::cos(tilt), s = std::sin(tilt);
-    const glm::dmat3 lean{dvec3{c, 0, -s}, dvec3{0, 1, 0}, dvec3{s, 0, c}};
-    return rotation_about_z(layer.azimuth) * lean * rotation_about_z(layer.rotation - layer.azimuth);
+    const glm::dmat3 about_y{dvec3{c, 0, -s}, dvec3{0, 1, 0}, dvec3{s, 0, c}};
+    return rotation_about_z(layer.azimuth) * about_y * rotation_about_z(layer.rotation - layer.azimuth);
 }
 
 FacetDistribution::FacetDistribution(const Distribution& distribution, const LobeOf& lobe_of) {

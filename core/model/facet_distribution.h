@@ -14,7 +14,7 @@ struct PlacedLobe {
     std::size_t layer;  // index in the design
 };
 
-// The frame of a layer: `rotation` about the axis, then the axis leans by `tilt` from n toward `azimuth`.
+// The frame of a layer: `rotation` about the axis, then the axis is tilted by `tilt` from n toward `azimuth`.
 glm::dmat3 layer_frame(const Layer& layer);
 
 class FacetDistribution {

@@ -24,7 +24,7 @@ namespace {
 //   +-------------------------------------------------------------+
 //
 // A one-dimensional integral of a smooth function instead of a two-dimensional one with a corner, and of
-// positive terms only: no digits are lost at any width. In x = log t the trapezoidal rule errs by
+// positive terms only: no digits are lost at any width. In x = log t the trapezoidal rule has an error of
 // exp(-pi^2/step): exp(-t) is the narrowest feature, bounded in |Im x| < pi/2, and 1/(a + t) has its poles at
 // |Im x| = pi for every width. An infinite width moves mass down to t = 1e-24 as sqrt(t); elsewhere the small
 // terms are dropped.

@@ -165,7 +165,7 @@ class InverseGaussian final : public Isotropic {
   public:
     explicit InverseGaussian(const InverseGaussianLobe& lobe) : inverse_width_(1 / lobe.sigma) {
         // Facets crowd at cot(theta) < sigma: the stretch that makes that width one.
-        // The exponential is cot^2(chi)/(1 + sigma^2): parted about where it rises from nothing, which one
+        // The exponential is cot^2(chi)/(1 + sigma^2): split about where it rises from 0, which one
         // Gauss rule over all of it would resolve badly.
         const double rise = std::atan(1 / std::hypot(1, lobe.sigma));
         set_pieces(std::hypot(1, inverse_width_), {0, 0.5 * rise, rise, 0.5 * (rise + pi / 2), pi / 2});

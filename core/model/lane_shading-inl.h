@@ -1,5 +1,5 @@
 // The shader's own mathematics for as many directions at once as a vector of the processor holds. For files
-// that Highway compiles once for each kind of processor: everything stands in HWY_NAMESPACE.
+// that Highway compiles once for each kind of processor: everything is in HWY_NAMESPACE.
 #if defined(NACRE_LANE_SHADING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef NACRE_LANE_SHADING_INL_H
 #undef NACRE_LANE_SHADING_INL_H
@@ -67,7 +67,7 @@ struct LaneReals {
     HWY_ATTR friend LaneReals abs(LaneReals a) { return LaneReals(hn::Abs(a.v)); }
     HWY_ATTR friend LaneReals sqrt(LaneReals a) { return LaneReals(hn::Sqrt(a.v)); }
     HWY_ATTR friend LaneReals exp(LaneReals a) { return LaneReals(hn::Exp(D(), a.v)); }
-    // Turned round, so that an `a` that is no number stays none, as glm has it.
+    // Turned round, so that a NaN in `a` stays NaN, as in glm.
     HWY_ATTR friend LaneReals min(LaneReals a, LaneReals b) { return LaneReals(hn::Min(b.v, a.v)); }
     HWY_ATTR friend LaneReals max(LaneReals a, LaneReals b) { return LaneReals(hn::Max(b.v, a.v)); }
     HWY_ATTR friend LaneReals clamp(LaneReals a, LaneReals low, LaneReals high) {

@@ -16,7 +16,7 @@ struct Layer {
     Lobe lobe = GaussianLobe{};
     double weight = 1;    // share of facet area, relative to the other layers'
     double rotation = 0;  // about the lobe's own axis, first
-    double tilt = 0;      // then the axis leans from n ...
+    double tilt = 0;      // then the axis is tilted from n ...
     double azimuth = 0;   // ... toward this azimuth
     std::optional<Modulation> modulation;
 

@@ -1,5 +1,5 @@
-// p of a design that is being edited, for whoever shows it: what has not changed since the last call is not
-// made again, so that a slider costs microseconds and a touch of a brush about a millisecond.
+// p of a design that is being edited, for display: what has not changed since the last call
+// is reused, so that a slider costs microseconds and a dab of the brush about a millisecond.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ struct Area {
     dvec3 gradient{0};
 };
 
-// A facet direction that stands for a small patch of facets; mass = p times the patch's solid angle.
+// A facet direction that represents a small patch of facets; mass = p times the patch's solid angle.
 struct Facet {
     dvec3 h;
     double mass;
@@ -35,9 +35,10 @@ struct DirectionColumns {
     std::size_t size;
 };
 
-// How to walk over a lobe in its own coordinates. The upper hemisphere h' (uniform measure) is mapped by
-// h = A h'/|A h'|, A = diag(stretch.x, stretch.y, 1), which makes any width one. Great circles through the
-// axis stay great circles, so that "k2 above the horizon" is one interval on each of them.
+// A parameterisation of a lobe for integration, in its own coordinates. The upper hemisphere h' (uniform
+// measure) is mapped by h = A h'/|A h'|, A = diag(stretch.x, stretch.y, 1), which makes any width one. Great
+// circles through the axis stay great circles, so that "k2 above the horizon" is one interval on each of
+// them.
 struct LobeParameterization {
     dvec2 stretch{1};
     double flip = 1;             // -1: the hemisphere below the lobe's own horizon
@@ -71,7 +72,7 @@ class LobeModel {
     // The same of every lobe: in these coordinates a picture alone is narrow.
     virtual std::vector<LobeParameterization> domains() const { return spans(); }
 
-    // The facets of a lobe that has no smooth form: about `count` at the most, or all with 0.
+    // The facets of a lobe that has no smooth form: about `count` at most, or all with 0.
     virtual std::vector<Facet> facets(std::size_t count) const;
 
     // The same so fine that any smooth function may be read at each, of mass p times a weight: one after
@@ -87,10 +88,10 @@ class LobeModel {
     LobeModel& operator=(const LobeModel&) = delete;
 };
 
-// How finely a lobe that holds a picture is parted into facets; any other is exact as it is.
+// How finely a lobe that holds a picture is split into facets; any other lobe is exact.
 enum class Fineness {
     bake,  // for tables: g to 3e-6 of the whole, 1e-4 of a modulated lobe whose texels are noise
-    exact  // the truth: 1e-6 and 1e-5
+    exact  // for the reference: 1e-6 and 1e-5
 };
 
 double uniform_random(Random& random);  // in [0, 1)

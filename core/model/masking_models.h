@@ -20,7 +20,7 @@ namespace nacre {
 //   compared_label  what it is called beside the design that it is compared with
 //   citation        where it comes from
 //
-// It may have leaning_claims(clamp): what is expected of a p that leans, where it is more than usual.
+// It may have tilted_claims(clamp): what is expected of a tilted p, where it is more than usual.
 template <class T>
 concept MaskingModelKind = Kind<T> && requires(const T model) {
     { T::bends } -> std::convertible_to<MaskingBends>;
@@ -46,11 +46,11 @@ constexpr MaskingBends masking_bends(std::size_t index) {
     return KindSet<MaskingModel>::each([]<class T>() { return T::bends; }).at(index);
 }
 
-inline ExtremeClaims leaning_claims(const MaskingModel& model, bool clamp) {
+inline ExtremeClaims tilted_claims(const MaskingModel& model, bool clamp) {
     return std::visit(
         [&](const auto& kind) -> ExtremeClaims {
-            if constexpr (requires { kind.leaning_claims(clamp); })
-                return kind.leaning_claims(clamp);
+            if constexpr (requires { kind.tilted_claims(clamp); })
+                return kind.tilted_claims(clamp);
             else
                 return weakly_correlated_claims(clamp);
         },

@@ -45,12 +45,12 @@ struct LeafSum {
     Spread sum;
 };
 
-// A square of the octahedral square: parted in four, or a tile of cells.
+// A square of the octahedral map: split in four, or a tile of cells.
 struct Square {
     dvec2 corner;
     double size;
     int first_child = -1;
-    std::vector<SketchedFacet> facets = {};  // until it is parted
+    std::vector<SketchedFacet> facets = {};  // until it is split
     // Row by row, none before the first facet: the moment in each cell, and what lies in each leaf.
     std::vector<dvec3> cells = {};
     std::vector<LeafSum> leaves = {};
@@ -68,7 +68,7 @@ int child_of(dvec2 at, const Square& square) {
     return (at.x >= middle.x ? 1 : 0) + (at.y >= middle.y ? 2 : 0);
 }
 
-// The square whose facets err most, by mass times size squared, is parted first.
+// The square with the largest error, by mass times size squared, is split first.
 std::vector<Square> lay_out(std::vector<SketchedFacet> facets) {
     std::vector<Square> squares;
     std::priority_queue<std::pair<double, int>> open;

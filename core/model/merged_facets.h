@@ -9,16 +9,16 @@
 
 namespace nacre {
 
-// Facets that stand for the painted and modulated layers of a design.
+// Facets that represent the painted and modulated layers of a design.
 std::size_t count_facets(const Distribution& design);
 
-// From so many facets on the cost of walking them is felt.
+// Above this number of facets, walking them dominates the bake.
 inline constexpr std::size_t many_facets = std::size_t{1} << 21;
 
-// The same p, its smooth lobes as they are and all facets in one lobe: about a million cells of the sphere,
-// small where there are many facets, each of which stands for what falls into it and spreads as far, the mean
-// of sixteen neighbours. g is off by some millionths at the most; merging_error() tells. `distribution` is
-// that of `design`.
+// The same p with its smooth lobes unchanged and all facets in one lobe: about a million cells of the sphere,
+// small where there are many facets, each of which represents the facets within it and has their spread,
+// the mean of sixteen neighbours. The error of g is a few millionths at most; see merging_error().
+// `distribution` is that of `design`.
 std::shared_ptr<const FacetDistribution> merge_facets(const Distribution& design,
                                                       const FacetDistribution& distribution);
 

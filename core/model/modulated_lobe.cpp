@@ -91,13 +91,14 @@ class Modulated final : public FacetLobe {
     static constexpr double faintest = 1e-9;  // of p, where its mean is 1
     static constexpr int pieces_max = 16;     // of a cell around the axis
 
-    // Two of Gauss's points in each of so many pieces of [0, 1].
+    // Two of Gauss's points in each of `pieces` pieces of [0, 1].
     static double place(int i, int pieces) {
         const double off = (i % 2 == 0 ? -0.5 : 0.5) * std::numbers::inv_sqrt3;
-        return (i / 2 + 0.5 + off) / pieces;
+        const int piece = i / 2;
+        return (piece + 0.5 + off) / pieces;
     }
 
-    // Pieces no broader than the picture's texels.
+    // Pieces no wider than the picture's texels.
     int pieces_between(dvec3 a, dvec3 b) const {
         if (a.z < 0 && b.z < 0) return 1;
         const double pieces =

@@ -12,7 +12,7 @@
 namespace nacre {
 namespace {
 
-// A cell waiting to be parted: a node of a tile, or a facet of one of its leaves.
+// A cell waiting to be split: a node of a tile, or a facet of one of its leaves.
 struct OpenCell {
     double error;  // mass times the square of the ball's radius
     std::size_t tile;

@@ -14,7 +14,7 @@ class MomentPyramid {
     // The facet at (row, column); mass 0 where the grid holds none. Called from several threads.
     using FacetAt = std::function<Facet(int row, int column)>;
 
-    // How far the facets' patches spread near (row, column), a place amid some of them; facets without
+    // How far the facets' patches spread near (row, column), a place between some of them; facets without
     // patches where this is none.
     using SpreadAt = std::function<Spread(double row, double column)>;
 
@@ -23,14 +23,14 @@ class MomentPyramid {
         int row_begin, row_end, column_begin, column_end;
     };
 
-    // side x side facets, side a power of two, 4 at the least.
+    // side x side facets, side a power of two, at least 4.
     MomentPyramid(int side, const FacetAt& facet_at, const SpreadAt& spread_at = {});
 
     // Of tiles that lie anywhere, each of tile_side_max facets a side. sample_visible() counts the rows of
     // one after those of the other.
     explicit MomentPyramid(std::vector<std::shared_ptr<const PyramidTile>> tiles);
 
-    // The same pyramid to the bit as one made anew from `facet_at`, which differs from this one within
+    // Bit-identical to a pyramid rebuilt from `facet_at`, which differs from this one within
     // `part`.
     MomentPyramid changed(const Part& part, const FacetAt& facet_at, const SpreadAt& spread_at = {}) const;
 
@@ -40,7 +40,7 @@ class MomentPyramid {
     dvec3 mean() const { return mean_; }
 
     // At most `count` cells (0: the facets themselves) that hold all of them, each as one facet with the
-    // cell's own moment: the cell that errs most, by mass and square of size, is parted first.
+    // cell's own moment: the cell with the largest error, by mass and square of size, is split first.
     std::vector<Facet> facets(std::size_t count) const;
 
     // All facets, sixteen at a time.

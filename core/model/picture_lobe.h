@@ -5,15 +5,15 @@
 
 namespace nacre {
 
-// What each texel of a painted lobe's raster, row by row, stands for at a value of 1, in the lobe's frame:
+// What each texel of a painted lobe's raster, row by row, contributes at a value of 1, in the lobe's frame:
 // the facets' mass and their mean direction, which is shorter than 1. Nothing for texels off the disk.
 std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modulation>& modulation);
 
 // A painted lobe after a brush has touched its raster.
 struct Repaint {
     std::shared_ptr<const LobeModel>
-        lobe;  // to the bit what PaintedLobe::modulated_model() makes, at the cost of the touch
-    // In the lobe's frame; mass is what was added, of either sign. That each stands for a small patch, which
+        lobe;  // bit-identical to PaintedLobe::modulated_model(), at the cost of the dab
+    // In the lobe's frame; mass is what was added, of either sign. That each represents a small patch, which
     // the lobe's g knows, is left out.
     std::vector<Facet> changes;
 };

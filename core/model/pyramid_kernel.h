@@ -48,7 +48,8 @@ inline constexpr int tile_side_max = 64;
 
 // Nodes of a tile of that side, all sizes and the leaves among them: 1 + 4 + 16 + ... + leaves.
 inline constexpr std::size_t tile_nodes_max = [] {
-    constexpr std::size_t leaves = tile_side_max / 4 * (tile_side_max / 4);
+    constexpr std::size_t leaves_a_side = tile_side_max / 4;
+    constexpr std::size_t leaves = leaves_a_side * leaves_a_side;
     static_assert((leaves & (leaves - 1)) == 0, "a power of four");
     return (4 * leaves - 1) / 3;
 }();

@@ -15,7 +15,7 @@
 
 namespace nacre {
 
-// What a shader variant fixes at compile time and C++ decides at run time. Models are told by their place in
+// What a shader variant fixes at compile time and C++ decides at run time. Models are indices into
 // the alternatives of Fresnel, MaskingModel and Diffuse.
 struct ShadingKinds {
     int fresnel = kind_index<Fresnel, NoFresnel>();

@@ -27,7 +27,7 @@ inline SpanPoint span_point(const LobeParameterization& span, double t, dvec2 az
 
 inline dvec2 unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-// The facet that stands for cell (row, column) of side x side cells of a span, of equal solid angle in its
+// The facet that represents cell (row, column) of side x side cells of a span, of equal solid angle in its
 // h'.
 inline Facet span_facet(const LobeModel& lobe, const LobeParameterization& span, int side, int row,
                         int column) {

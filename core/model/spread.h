@@ -1,4 +1,4 @@
-// How far a small patch of facets spreads, as seen from the side.
+// The spread of a small patch of facets about its mean direction.
 #pragma once
 
 #include "core/model/lobe.h"

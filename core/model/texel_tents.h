@@ -17,7 +17,7 @@ class TexelTents {
   public:
     explicit TexelTents(int side);
 
-    // Tents times another bilinear picture of so many texels a side, at a place of the disk.
+    // Tents times another bilinear picture, a function of the place on the disk.
     using FactorAt = std::function<double(dvec2 at)>;
     TexelTents(int side, const FactorAt& factor, int factor_side);
 

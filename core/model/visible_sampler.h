@@ -1,4 +1,4 @@
-// Facets as one direction sees them, drawn again and again.
+// Samples visible normals for one direction.
 #pragma once
 
 #include <vector>

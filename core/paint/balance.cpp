@@ -22,7 +22,7 @@ constexpr double balanced_to = 1e-9;  // what is left of the mean normal along t
 constexpr double least_left = 0.01;   // of a layer's share
 constexpr int span_side = 64;         // facets a side that a lobe's covariance is summed over
 constexpr int steps_max = 100;        // of Newton's method
-constexpr double directed = 1e-6;     // a lobe whose mean normal is shorter has no direction to lean
+constexpr double directed = 1e-6;     // a lobe whose mean normal is shorter has no direction to tilt
 
 dvec2 along_surface(dvec3 h) { return {h.x, h.y}; }
 glm::dmat2 square(dvec2 v) { return glm::outerProduct(v, v); }
@@ -158,7 +158,7 @@ dvec2 minimum(const std::vector<Member>& members) {
         if (!better) break;
     }
     if (!(glm::length(now.mean) < 0.1 * balanced_to))
-        refuse("all facets lean to one side; Straighten turns them instead");
+        refuse("all facets are tilted to one side; Straighten turns them instead");
     return lambda;
 }
 
@@ -212,13 +212,13 @@ void reweight(Layer& layer, const Member& member, dvec2 lambda, dvec2 mean) {
 }
 
 // The lobe turned so that its mean normal has another part along the surface.
-void lean_to(Layer& layer, const Member& member, dvec2 mean) {
+void tilt_to(Layer& layer, const Member& member, dvec2 mean) {
     const double length = glm::length(member.whole_mean);
     if (mean == along_surface(member.whole_mean)) return;
     const double up = length * length - glm::dot(mean, mean);
     if (!(up > 0))
         refuse(
-            fmt::format("layer {} would have to lean past the horizon; Straighten turns all layers instead",
+            fmt::format("layer {} would have to tilt past the horizon; Straighten turns all layers instead",
                         member.layer + 1));
     const dvec3 to(mean, std::copysign(std::sqrt(up), member.whole_mean.z));
     layer = carried(layer, member.whole_mean / length, to / length);
@@ -261,7 +261,7 @@ Distribution balanced(const Distribution& distribution) {
         shares.push_back(member.weight * factor);
         Layer& layer = result.layers[member.layer];
         if (member.facets.empty())
-            lean_to(layer, member, part.mean);
+            tilt_to(layer, member, part.mean);
         else
             reweight(layer, member, lambda, part.mean);
     }

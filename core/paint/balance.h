@@ -11,12 +11,12 @@ namespace nacre {
 // since ln Z is convex in lambda.
 //
 // A painted layer becomes that texel by texel. Any other lobe stays a lobe: it takes the share of area and
-// the mean normal that this factor gives to the Gaussian of its own mean and covariance, so that it leans as
-// far as that one shifts, and keeps its widths. The sum of the weights stays; layers that are left out stay
-// as they are.
+// the mean normal that this factor gives to the Gaussian of its own mean and covariance, so that it is
+// tilted as far as that one shifts, and keeps its widths. The sum of the weights stays; layers that are left
+// out stay as they are.
 //
 // The mean normal of the result has no part along the surface above 1e-9. A UserError of no file where p
-// cannot be balanced so: its facets all lean to one side, or next to nothing would be left of a layer.
+// cannot be balanced so: its facets are all tilted to one side, or almost nothing would be left of a layer.
 Distribution balanced(const Distribution& distribution);
 
 }  // namespace nacre

@@ -38,7 +38,7 @@ double brush_falloff(const Brush& brush, double distance);
 // Angle between two unit vectors, radians; keeps its digits for small angles.
 double angle_between(dvec3 a, dvec3 b);
 
-// The rotation that takes unit vector a to b by the shortest way; a and b not opposite.
+// The smallest rotation that takes unit vector a to b; a and b not opposite.
 glm::dmat3 shortest_rotation(dvec3 a, dvec3 b);
 
 // How one stroke becomes several, about the layer's own axis.
@@ -47,7 +47,7 @@ enum class SymmetryKind {
     mirror_x,     // left and right: x to -x
     mirror_y,     // y to -y
     mirror_both,  // four quarters
-    turns,        // so many turned copies
+    turns,        // rotated copies
     ring          // all the way around
 };
 

@@ -16,7 +16,7 @@ struct Dab {
     BrushSymmetry symmetry;
     dvec3 at{0, 0, 1};
     dvec3 from{0, 0, 1};          // where the brush was
-    const Raster* tip = nullptr;  // a square picture, white paints; as broad as the brush
+    const Raster* tip = nullptr;  // a square picture as wide as the brush; white paints
     glm::dmat2 to_tip{1};         // see stamp_from_layer()
 
     double radius() const { return brush.radius * (std::numbers::pi / 180); }  // radians

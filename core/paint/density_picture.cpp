@@ -53,7 +53,7 @@ class Directions {
     std::vector<double> x_, y_, z_;
 };
 
-// All over the whole sphere's disk, so that what leans below the horizon counts too.
+// All over the whole sphere's disk, so that facets below the horizon count too.
 Directions peak_grid() {
     Directions grid;
     for (int row = 0; row < peak_side; ++row)

@@ -26,7 +26,7 @@ struct DensityScale {
 };
 
 // The largest p on a grid over the sphere and at each lobe's axis, 1/sr: what a scale goes up to. A ridge
-// between the grid's points may stand above it.
+// between the grid's points may be higher.
 double peak_density(const FacetDistribution& p);
 
 struct DensityPicture {

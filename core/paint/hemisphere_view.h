@@ -19,7 +19,7 @@ struct HemisphereCamera {
     glm::dvec2 centre{0, 0};  // the disk's point (or the dome's, in radii) in the middle of the picture
     double zoom = 1;          // 1 shows all
     double yaw = -25;         // degrees, of the dome about n
-    double pitch = 50;        // degrees, by which n leans toward the viewer; 90 looks down on n
+    double pitch = 50;        // degrees, by which n is tilted toward the viewer; 90 looks down on n
 
     // The same kind of picture with all of it shown.
     HemisphereCamera whole() const { return {.highlight = highlight, .dome = dome, .below = below}; }
@@ -68,7 +68,7 @@ class HemisphereView {
 // The camera after a turn of the wheel that keeps what lies under `pixel` there. At zoom 1 all is shown.
 HemisphereCamera zoomed(const HemisphereView& view, glm::dvec2 pixel, double factor);
 
-// The camera after a drag by so many pixels.
+// The camera after a drag, in pixels.
 HemisphereCamera panned(const HemisphereView& view, glm::dvec2 pixels);
 
 }  // namespace nacre

@@ -1,4 +1,4 @@
-// One highlight of a painted layer, as a hand takes hold of it.
+// One highlight of a painted layer, to be dragged.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace nacre {
 
-// The hill of paint under a normal: all from where one comes to the same top by going uphill. The picture is
-// smoothed over some three degrees for that, and a bump that stands out by less than a quarter of its height
-// is no hill of its own, so that neither grain nor the ripple of a stroke parts a highlight. Where two hills
-// meet, the valley parts them, softly over about a degree.
+// The watershed region (hill) of paint under a normal: all points from which going uphill leads to the same
+// peak. The picture is smoothed over some three degrees for that, and a bump that rises by less
+// than a quarter of its height is no hill of its own, so that neither grain nor the ripple of a stroke splits
+// a highlight. Where two hills meet, the valley divides them, softly over about a degree.
 class Highlight {
   public:
     // Under `at`, a unit vector in the layer's frame; nothing where no paint is. `raster` as paintable()
@@ -21,9 +21,9 @@ class Highlight {
 
     // The picture with the hill carried along by the shortest rotation from where it was taken to `to`, a
     // unit vector in the layer's frame or the rim for one below it, and added to what lies there; the rest
-    // stays. The hill keeps its mass against the rest's, also where some of it would lean beyond the horizon:
+    // stays. The hill keeps its mass against the rest's, also where some of it would move below the horizon:
     // the remainder holds that too. Values stay in [0, 1]: where hills pile up higher the whole picture is
-    // taken by one factor, which changes nothing of p. Null where all of it would lean beyond.
+    // taken by one factor, which changes nothing of p. Null where all of it would.
     std::shared_ptr<const Raster> carried(dvec3 to) const;
 
     const Raster& part() const { return part_; }  // the hill alone; part() + rest() is the picture

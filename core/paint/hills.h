@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-inline constexpr int hill_cells = 128;  // a side of the grid on which hills are told apart
+inline constexpr int hill_cells = 128;  // a side of the grid on which hills are found
 
 // 1 on the cells (row-major, hill_cells a side) of the hill to which one cell belongs, 0 elsewhere; nothing
 // where there is no paint near that cell. See Highlight for what a hill is.

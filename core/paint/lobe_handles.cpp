@@ -81,7 +81,7 @@ dvec3 local(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(lay
 
 double slope_along(double across, double up) { return up > 0 ? std::abs(across) / up : slope_max; }
 
-void lean(Layer& layer, dvec3 to) {
+void tilt_axis(Layer& layer, dvec3 to) {
     layer.tilt = std::atan2(std::hypot(to.x, to.y), to.z) * degrees;
     if (to.x != 0 || to.y != 0) layer.azimuth = std::atan2(to.y, to.x) * degrees;
 }
@@ -107,7 +107,7 @@ Layer carried(const Layer& layer, dvec3 from, dvec3 to) {
     if (glm::dot(from, to) < -0.999) return layer;
     const glm::dmat3 frame = shortest_rotation(from, to) * layer_frame(layer);
     Layer result = layer;
-    lean(result, frame[2]);
+    tilt_axis(result, frame[2]);
     // layer_frame() with no rotation, undone: what is left turns about the axis.
     result.rotation = 0;
     const glm::dmat3 left = glm::transpose(layer_frame(result)) * frame;
@@ -180,7 +180,7 @@ void set_shape(Lobe& lobe, const LobeShape& shape) {
 Layer pulled(const Layer& layer, HandleKind kind, dvec3 from, dvec3 to, bool alone) {
     Layer result = layer;
     if (kind == HandleKind::axis) {
-        lean(result, to);
+        tilt_axis(result, to);
     } else if (kind == HandleKind::outline) {
         if (outline_turns(layer))
             turn(result, from, to);

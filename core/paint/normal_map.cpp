@@ -12,7 +12,7 @@ namespace {
 
 constexpr double same_blue = 0.01;          // spread of a blue that is the same everywhere
 constexpr double right_length = 0.01;       // mean deviation from 1 of lengths that are meant as 1
-constexpr double resized_by = 0.05;         // deviation of a length that is told
+constexpr double resized_by = 0.05;         // deviation of a length that is reported
 constexpr double no_direction = 0.1;        // length of what is no normal
 constexpr double plain_negative = 0.02;     // below 0 by more than ringing filters leave
 constexpr std::size_t rows_of = 1'000'000;  // pixels whose curl is looked at
@@ -68,7 +68,7 @@ bool blue_is_the_same_everywhere(const ColourPicture& picture) {
     return static_cast<double>(high->z - low->z) <= same_blue;
 }
 
-// A blue that is the same everywhere may be the z of normals that all lean alike.
+// A blue that is the same everywhere may be the z of normals that are all tilted alike.
 bool blue_is_z(const ColourPicture& picture, const NormalReading& reading) {
     return components(picture.colours[0], reading).z > 0 && length_error(picture, reading) <= right_length;
 }

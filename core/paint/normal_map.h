@@ -54,7 +54,7 @@ std::string note_on(const NormalCounts& counts);
 std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth);
 
 // The share of the facets' area on each normal, as a painted layer's raster with a largest value of 1. Each
-// normal stands for the same area as seen from above, so for 1/n.z of facets; no more than for 50. `width`
+// normal counts the same area as seen from above, so for 1/n.z of facets; no more than for 50. `width`
 // smooths it, the standard deviation in degrees near n. A UserError of no file where no normal faces up.
 std::shared_ptr<const Raster> raster_of_normals(const std::vector<dvec3>& normals, double width);
 

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr double facets_max = 50;  // that one normal stands for
+constexpr double facets_max = 50;  // that one normal counts for
 constexpr double reach = 3;        // of the smoothing, in standard deviations
 
 // Bilinear, so that few normals do not leave a pattern of texels. What falls to a texel off the disk goes to

@@ -1,4 +1,4 @@
-// What the brush does: one file for each tool, core/paint/tools/NAME.cpp, and its line in tool_list.inc,
+// The brush's tools: one file each, core/paint/tools/NAME.cpp, and its line in tool_list.inc,
 // which strokes, buttons, keys, their sheet and the manual follow.
 #pragma once
 
@@ -35,13 +35,13 @@ struct ToolFace {
 // What it needs beside the brush's radius and flow.
 enum class ToolNeed { hardness, picture, rays };
 
-// A tool of dabs along the way of the hand. Full paint is 1, and values stay in [0, 1]. Copies of a symmetric
-// dab that overlap count once, the strongest: a mirrored dab is symmetric to the bit where the raster was and
-// its side is a power of two; for turned ones rounding remains. `scratch` is of the raster's side, and clear
-// before and after.
+// A tool of dabs along the path of the hand. Full paint is 1, and values stay in [0, 1]. Copies of a
+// symmetric dab that overlap count once, the strongest: a mirrored dab is exactly symmetric where the raster
+// was and its side is a power of two; rotated ones are symmetric up to rounding. `scratch` is of the raster's
+// side, and clear before and after.
 struct DabTool {
     void (*dab)(Raster& raster, const Dab& dab, Coverage& scratch);
-    bool at_press = true;     // else the first dab is on the way
+    bool at_press = true;     // else the first dab is along the path
     bool follows_way = true;  // else it is the press alone
 };
 

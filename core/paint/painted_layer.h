@@ -13,16 +13,16 @@ std::shared_ptr<const Raster> blank_raster();
 // A layer of it; left out of p until something is painted, since it holds no facets.
 Layer blank_painted_layer();
 
-// The raster of a painted layer as a brush needs it: held in the design, and with painted_side texels a
-// side at the least; a coarser one is read between its texels. Full paint is 1: a picture in another unit is
-// brought to a largest value of 1, which changes nothing of p.
+// The raster of a painted layer as a brush needs it: held in the design, and with at least
+// painted_side texels a side; a coarser one is read between its texels. Full paint is 1: a picture in another
+// unit is brought to a largest value of 1, which changes nothing of p.
 std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe);
 
 // The same direction, or the nearest on the horizon for one below it.
 dvec3 above_horizon(dvec3 h);
 
-// Gives the layer another raster, and the weight with which a value of the raster goes on meaning as many
-// facets as before: paint adds facets and takes none from elsewhere in the layer. `mass` is raster_mass()
+// Gives the layer another raster, and a weight such that a value of the raster means as
+// many facets as before: paint adds facets and removes none elsewhere in the layer. `mass` is raster_mass()
 // of the raster that it has; the first paint of a blank layer gets `first_weight`. A layer is enabled by its
 // first paint, and left out when the last is erased.
 void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight);

@@ -15,7 +15,7 @@ struct ShapeSize {
     int rays;
 };
 
-// Of a point at polar angle `middle` about the press and azimuth `turn` off the way to the pointer: how far
+// Of a point at polar angle `middle` about the press and azimuth `turn` from the line to the pointer: how far
 // it lies from the shape, in brush radii.
 using ShapeDistance = double (*)(const ShapeSize& size, double middle, double turn);
 
@@ -31,7 +31,8 @@ struct Shape {
     dvec3 from{0, 0, 1}, to{0, 0, 1};  // unit, above the horizon of the layer's frame
 };
 
-// The raster with the shape in it, as broad as the brush and painted at once: nothing overlaps itself.
+// The raster with the shape in it, as wide as the brush and painted at once, so that it does not overlap
+// itself.
 std::shared_ptr<const Raster> with_shape(const Raster& before, const Shape& shape, const Brush& brush,
                                          const BrushSymmetry& symmetry);
 

@@ -1,4 +1,4 @@
-// A stroke of the brush: dabs at even distances along the way that the hand takes, or a shape.
+// A stroke of the brush: dabs at even distances along the path of the hand, or a shape.
 #pragma once
 
 #include <memory>
@@ -24,8 +24,8 @@ class Stroke {
   public:
     Stroke(const Raster& before, StrokeStyle style, dvec3 at);
 
-    // Goes there by the great circle. Dabs stand as far apart as the brush's spacing has it, however the way
-    // is parted: parting a great circle moves them by rounding alone. A shape goes straight from the
+    // Continues there along the great circle. Dabs are as far apart as the brush's spacing says, however the
+    // path is split: splitting a great circle moves them by rounding alone. A shape goes straight from the
     // beginning to here.
     void move_to(dvec3 to);
 
@@ -42,9 +42,9 @@ class Stroke {
     StrokeStyle style_;
     Coverage scratch_;
     dvec3 begin_;
-    dvec3 at_;  // end of the way so far
+    dvec3 at_;  // end of the path so far
     dvec3 last_dab_;
-    double to_next_ = 0;  // way until the next dab, radians
+    double to_next_ = 0;  // distance to the next dab, radians
     std::shared_ptr<const Raster> published_;
 };
 

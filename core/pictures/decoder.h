@@ -1,4 +1,4 @@
-// The one way to a picture's pixels: whatever is made of them, they come from here.
+// Decoding of pictures: all pixels are read through this interface.
 #pragma once
 
 #include <filesystem>
@@ -52,7 +52,7 @@ class Decoder {
     PictureHeader header_;
 };
 
-// What stands where a decoder has yet to write: a NaN that no file holds.
+// Marks values that the decoder has not written: a NaN that no file contains.
 float unwritten();
 
 // A PictureProblem where the file is no picture, is larger than the limits, or has no channels for the use.

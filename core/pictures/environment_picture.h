@@ -6,7 +6,7 @@
 
 namespace nacre {
 
-// A PictureProblem where the picture is none by latitude and longitude.
+// A PictureProblem where the picture is not a lat-long one.
 LatLong read_environment(const std::filesystem::path& file, PictureNotes& notes);
 
 }  // namespace nacre

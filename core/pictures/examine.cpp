@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/file_ending.h"
+#include "core/base/file_extension.h"
 #include "core/pictures/byte_order.h"
 #include "core/pictures/picture_problem.h"
 
@@ -62,8 +62,8 @@ bool is_tga(const FileBytes& file, std::string_view start) {
     const bool has_footer =
         file.size() >= 44 &&
         file.read(file.size() - footer_name, footer_name).starts_with("TRUEVISION-XFILE.");
-    const std::string ending = ending_of(file.path());
-    if (!has_footer && ending != ".tga" && ending != ".tpic") return false;
+    const std::string extension = extension_of(file.path());
+    if (!has_footer && extension != ".tga" && extension != ".tpic") return false;
     const auto has_palette = little_endian(start, 1, 1), kind = little_endian(start, 2, 1);
     const auto depth = little_endian(start, 16, 1), descriptor = little_endian(start, 17, 1);
     constexpr std::array<std::uint64_t, 6> kinds{1, 2, 3, 9, 10, 11};

@@ -142,8 +142,7 @@ void examine_dds(const FileBytes& file, Examined& found) {
     if (surface.field(4) != header_size - 4 || surface.field(76) != 32 || surface.width() < 1 ||
         surface.height() < 1 || surface.width() > side_max || surface.height() > side_max)
         throw PictureProblem("the DDS file's header describes no picture");
-    if ((surface.field(112) & cube) != 0)
-        throw PictureProblem("a cube map, not a picture by latitude and longitude");
+    if ((surface.field(112) & cube) != 0) throw PictureProblem("a cube map, not a lat-long picture");
     if ((surface.field(112) & volume) != 0 && surface.field(24) > 1)
         throw PictureProblem("a picture of several layers, flat ones are read");
     found.size = glm::dvec2(surface.width(), surface.height());

@@ -18,7 +18,7 @@ void examine_exr(const FileBytes& file, Examined& found) {
                                  "and chroma have; R, G, B or Y are read",
                                  fmt::join(first.subsampled, ", ")),
                      300));
-    if (first.is_cube) throw PictureProblem("a cube map, not a picture by latitude and longitude");
+    if (first.is_cube) throw PictureProblem("a cube map, not a lat-long picture");
     check_exr_blocks(file, headers);
     const auto& display = first.display_window;
     found.size = glm::dvec2(display[2] - display[0], display[3] - display[1]) + 1.0;

@@ -39,7 +39,7 @@ Resolution read_resolution(std::string_view line) {
     return found;
 }
 
-// EXIF's number for where the first line and the first column stand.
+// EXIF's orientation for the positions of the first line and the first column.
 int orientation_of(const Resolution& resolution) {
     constexpr std::array<std::array<std::string_view, 2>, 8> orders{{{"-Y", "+X"},
                                                                      {"-Y", "-X"},

@@ -1,4 +1,4 @@
-// JPEG files without the segments that make no pixels: their number and what stands in them costs nothing.
+// JPEG files without the segments that make no pixels: their number and content costs nothing.
 // (ITU-T T.81, annex B)
 #include <fmt/core.h>
 

@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-// RIFF's chunks: a header of its own, where there is one, stands before the pictures.
+// RIFF's chunks: a header chunk, if any, comes before the pictures.
 void examine_webp(const FileBytes& file, Examined& found) {
     found.orientation = 1;
     const std::uint64_t end = 8 + little_endian(file.read(4, 4), 0, 4);
@@ -37,7 +37,7 @@ void examine_webp(const FileBytes& file, Examined& found) {
 
 // libheif turns the picture itself. The largest of the sizes, since a picture may be made of others.
 void examine_heif(const FileBytes& file, Examined& found) {
-    constexpr std::uint64_t boxes_max = 1u << 22;  // they stand before the pixels
+    constexpr std::uint64_t boxes_max = 1u << 22;  // before the pixels
     found.orientation = 1;
     const std::string start = file.read(0, boxes_max);
     for (std::size_t at = start.find("ispe"); at != start.npos; at = start.find("ispe", at + 4))

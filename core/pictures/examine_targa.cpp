@@ -95,7 +95,7 @@ void check_depth(std::uint64_t kind, std::uint64_t depth) {
                                                            : "greys"));
 }
 
-// What stands near the end of a file of the second version.
+// The footer of a file of the second version.
 void read_extension(const FileBytes& file, Examined& found) {
     constexpr std::uint64_t footer = 26, length = 495, multiplied = 4;
     const std::string end = file.size() > header_size + footer ? file.read(file.size() - footer, footer) : "";

@@ -53,7 +53,7 @@ std::uint64_t value_size(std::uint64_t type) {
 
 struct Entry {
     std::uint64_t field, type, count;
-    std::uint64_t value;  // the first one, where it stands in the entry
+    std::uint64_t value;  // the first one, where it is in the entry
 };
 
 Entry read_entry(const Layout& layout, std::string_view data) {
@@ -63,7 +63,7 @@ Entry read_entry(const Layout& layout, std::string_view data) {
             size > 0 ? layout.number(data, at, std::min<std::size_t>(size, layout.offset_size())) : 0};
 }
 
-// Its values must stand in the file.
+// Its values must be within the file.
 void check_entry(const FileBytes& file, const Layout& layout, const Entry& entry, std::string_view data) {
     const std::uint64_t size = value_size(entry.type);
     if (size == 0)

@@ -15,7 +15,7 @@ namespace {
 
 enum Compression : unsigned { none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab };
 
-// Pixels that are stored together: a tile, or so many lines by the compression.
+// Pixels that are stored together: a tile, or a number of lines that depends on the compression.
 glm::i64vec2 block_size(const ExrHeader& header) {
     constexpr std::array<std::int64_t, 10> lines{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
     if (header.compression >= lines.size())
@@ -37,7 +37,7 @@ void check_claim(const FileBytes& file, const ExrHeader& header, glm::i64vec2 bl
             fmt::format("blocks of {} x {} pixels in a file of {} bytes", block.x, block.y, file.size()));
 }
 
-// How many bytes deflate's data stands for; those that are there, where it is damaged.
+// The inflated size of the data; of damaged data, the size that can be inflated.
 std::int64_t inflated_size(const std::string& data) {
     std::array<unsigned char, 1 << 16> scratch;
     z_stream stream{};
@@ -56,7 +56,8 @@ std::int64_t inflated_size(const std::string& data) {
     return size;
 }
 
-// Of runs: a count below 0 stands before so many bytes, another before one byte that stands for one more.
+// Of runs: a count below 0 precedes that many literal bytes, any other one byte,
+// repeated count + 1 times.
 std::int64_t run_lengths_size(const std::string& data) {
     std::int64_t size = 0;
     for (std::size_t i = 0; i < data.size();) {

@@ -4,8 +4,8 @@
 
 namespace nacre {
 
-// A PictureProblem where a block of pixels of the first part is missing, is cut short or holds fewer pixels
-// than it stands for: the decoder would show what memory held. Also where memory for one is more than the
+// A PictureProblem where a block of pixels of the first part is missing, is cut short or holds
+// too few pixels: the decoder would show uninitialised memory. Also where memory for one is more than the
 // file can fill.
 void check_exr_blocks(const FileBytes& file, const ExrHeaders& headers);
 

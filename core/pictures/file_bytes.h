@@ -36,7 +36,7 @@ class FileBytes {
     mutable std::uint64_t window_start_ = 0;
 };
 
-// Some of what a decoder sees: a range of the file, or `bytes` that stand for one.
+// Some of what a decoder sees: a range of the file, or `bytes` in place of one.
 struct Piece {
     std::string bytes;
     std::uint64_t offset = 0, length = 0;  // without `bytes`

@@ -21,7 +21,7 @@ inline glm::ivec2 stored_place(glm::ivec2 place, glm::ivec2 stored, int orientat
     return {flips_x ? stored.x - 1 - place.x : place.x, flips_y ? stored.y - 1 - place.y : place.y};
 }
 
-// Where a stored pixel stands in the upright picture.
+// Where a stored pixel is in the upright picture.
 inline glm::ivec2 upright_place(glm::ivec2 place, glm::ivec2 stored, int orientation) {
     const bool flips_x = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
     const bool flips_y = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;

@@ -1,4 +1,4 @@
-// A Photoshop file but for its layers: what is read of it is the merged picture, which stands last. (Adobe
+// A Photoshop file without its layers: only the merged picture, which comes last, is read. (Adobe
 // Photoshop File Formats Specification)
 #pragma once
 

@@ -10,10 +10,10 @@ namespace nacre {
 namespace {
 
 constexpr double decades = 4;      // below the highest value, on a logarithmic axis
-constexpr double value_steps = 8;  // that a linear axis from 0 has at the most
+constexpr double value_steps = 8;  // at most, on a linear axis from 0
 constexpr const char* degree_sign = "\u00b0";
 
-// The smallest of 1, 2 and 5 times a power of ten that is no less than `value`.
+// The smallest of 1, 2 and 5 times a power of ten that is at least `value`.
 double round_up(double value) {
     const double power = std::pow(10, std::floor(std::log10(value)));
     for (const double digit : {1.0, 2.0, 5.0})

@@ -17,7 +17,7 @@ using CurvesAt = std::function<void(double x, std::span<double> values)>;
 
 struct CurveRange {
     double low, high;
-    std::vector<double> hints;  // where a peak may stand that is narrower than the first samples' distance
+    std::vector<double> hints;  // where there may be a peak narrower than the first samples' distance
     bool logarithmic = false;   // small values count as much as large ones, four decades down
 };
 

@@ -23,7 +23,7 @@ double widest_number(const PlotPen& pen, const Axis& axis, double height) {
     return widest;
 }
 
-// The box without its legend, which is as broad as it needs to be.
+// The box without its legend, which is as wide as it needs to be.
 PlotBox take_legend(PlotLayout& layout, double width, const PlotPen& pen) {
     PlotBox rest = layout.box;
     rest.low.y += title_ems * pen.em();

@@ -1,4 +1,4 @@
-// A plot drawn into a box, and what stands under the pointer.
+// Draws a plot into a box, and finds what is under the pointer.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct ShapeView {
     bool operator==(const ShapeView&) const = default;
 };
 
-// Where the parts of a plot stand.
+// The layout of a plot.
 struct PlotLayout {
     PlotBox box;     // all of it
     PlotBox area;    // within the axes
@@ -24,7 +24,7 @@ struct PlotLayout {
 
 PlotLayout layout_plot(const Plot& plot, const PlotBox& box, const PlotPen& pen);
 
-// What stands under the pointer.
+// What is under the pointer.
 struct PlotReading {
     glm::dvec2 at;               // x (curves), theta_2 (lobe), theta_2 and phi_2 (shape), theta_h and theta_d
     std::vector<double> values;  // of each series, or red, green and blue

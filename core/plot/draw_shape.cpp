@@ -16,7 +16,7 @@ constexpr int circle_steps = 72;
 constexpr double reach_part = 0.04;  // of the height: within which a pointer takes a point of the shape
 const dvec3 light = glm::normalize(dvec3(-0.45, 0.65, 0.8));  // in the viewer's frame
 
-// Where points of space stand on the page.
+// Projects points in space onto the page.
 struct Projection {
     glm::dmat3 turn;
     glm::dvec2 middle;

@@ -48,8 +48,8 @@ struct PlotSettings {
 
 inline constexpr double incidence_max = 89.9;
 
-// Colours are told by their part, so that the screen and a file can choose what suits their ground: first the
-// frame's, then the series'.
+// Colours are named by their role, so that the screen and a file can choose what suits their background:
+// first the frame's, then the series'.
 enum class Ink { text, quiet, grid, plain, red, green, blue, first, second, third, fourth };
 enum class Dash { solid, dashed, dotted };
 
@@ -93,7 +93,7 @@ struct SlicePlot {
     std::vector<dvec3> values = {};  // row by row from theta_d = 0, each from theta_h = 0
     Axis shade = {};                 // of the luminance
 
-    // Of a row or a column, degrees; the last stands a thousandth before 90, where no direction is above the
+    // Of a row or a column, degrees; the last is a thousandth before 90, where no direction is above the
     // horizon.
     double angle(int index) const;
 };

@@ -1,4 +1,4 @@
-// What draws a plot: the window or a file. One drawing serves both.
+// The interface that plots are drawn through, to the window or to a file.
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ struct PointSeries {
     std::vector<glm::dvec2> thin_points = {};  // a thin line without marks
 };
 
-// What lies above the plot, or is NaN, is cut off; what lies below stands at its foot.
+// What lies above the plot, or is NaN, is cut off; what lies below is drawn at its foot.
 struct PointPlot {
     std::string title, subtitle;
     Axis x, y;

@@ -22,9 +22,9 @@ std::string text_of(std::string_view name) {
 
 // The files that a shader builds upon, in order.
 std::vector<std::string_view> parts_of(const ShaderVariant& variant, std::string_view main) {
-    if (main == "gather.frag") return {"shown.glsl", "environment.glsl", "draw.glsl"};
+    if (main == "accumulate.frag") return {"shown.glsl", "environment.glsl", "draw.glsl"};
     if (main != "surface.frag") return {};
-    if (variant.surroundings) return {"shown.glsl", "environment.glsl"};
+    if (variant.environment_behind) return {"shown.glsl", "environment.glsl"};
     return {"shown.glsl"};
 }
 
@@ -119,7 +119,7 @@ std::string variant_definitions(const ShaderVariant& variant) {
     define("HAS_LINEAR_FRESNEL", variant.kinds.fresnel_tables() == FresnelTables::linear);
     define("HAS_EXACT_FRESNEL", variant.kinds.fresnel_tables() == FresnelTables::exact);
     define("AMBIENT_LIGHT", variant.ambient);
-    define("SURROUNDINGS", variant.surroundings);
+    define("ENVIRONMENT_BEHIND", variant.environment_behind);
     text += fmt::format("#define LIGHTS {}\n", variant.lights);
     text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
     // One model of each set is there.

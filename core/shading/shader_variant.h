@@ -18,16 +18,16 @@ struct ShaderVariant {
     ShadingKinds kinds;
     int lights = 1;
     bool ambient = false;
-    bool surroundings = false;            // an environment stands behind the object
+    bool environment_behind = false;      // an environment is drawn behind the object
     Term term = Term::total;              // what of the BRDF the picture shows
-    std::optional<int> closed_form = {};  // MODEL_* in the place of the design's own BRDF
+    std::optional<int> closed_form = {};  // MODEL_* in place of the design's own BRDF
 
     bool operator==(const ShaderVariant&) const = default;
 };
 
 ShaderVariant variant_of(const Shading<double>& shading);
 
-// The definitions that stand for what the variant fixes, without #version.
+// The preprocessor definitions of the variant, without #version.
 std::string variant_definitions(const ShaderVariant& variant);
 
 // The shared mathematics, in order: what comes before `fetch` is defined, and what comes after.

@@ -34,7 +34,7 @@ const TermInfo& info(Term term);
 std::optional<Term> term_by_name(std::string_view name);
 std::vector<std::string> term_names();
 
-// Whether it is a number of each pair of directions; the others are light, which adds up over the lights.
+// Whether it is a factor of each pair of directions; the others are radiance, which sums over the lights.
 bool is_factor(Term term);
 
 }  // namespace nacre

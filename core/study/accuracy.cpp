@@ -6,7 +6,7 @@
 
 #include "core/bake/bake.h"
 #include "core/study/cold_time.h"
-#include "core/study/way.h"
+#include "core/study/method.h"
 #include "core/verify/reference.h"
 #include "core/verify/table_error.h"
 
@@ -61,19 +61,19 @@ class AccuracyRun {
         specular_.diffuse = NoDiffuse{};
     }
 
-    std::vector<WayAccuracy> run() {
+    std::vector<MethodAccuracy> run() {
         const Truth truth(specular_, options_, stop_);
         report(0.1);
-        const std::vector<Way> ways = all_ways(specular_, stop_);
-        std::vector<WayAccuracy> result;
-        const double step = 0.7 / (2.0 * static_cast<double>(ways.size()));
+        const std::vector<Method> methods = all_methods(specular_, stop_);
+        std::vector<MethodAccuracy> result;
+        const double step = 0.7 / (2.0 * static_cast<double>(methods.size()));
         double done = 0.1;
-        for (const Way& way : ways) {
-            result.push_back({way.kind, way.name, way.about, {}, way.left_out});
+        for (const Method& method : methods) {
+            result.push_back({method.kind, method.name, method.about, {}, method.left_out});
             for (const Wanted wanted : {Wanted::area, Wanted::area_and_albedo}) {
-                const bool serves = wanted == Wanted::area ? way.area : way.albedo;
+                const bool serves = wanted == Wanted::area ? method.area : method.albedo;
                 if (serves)
-                    measure(way, wanted, truth, result.back().points,
+                    measure(method, wanted, truth, result.back().points,
                             [&](double part) { report(done + step * part); });
                 report(done += step);
             }
@@ -87,9 +87,9 @@ class AccuracyRun {
         if (progress_) progress_(done);
     }
 
-    void measure(const Way& way, Wanted wanted, const Truth& truth, std::vector<AccuracyPoint>& points,
+    void measure(const Method& method, Wanted wanted, const Truth& truth, std::vector<AccuracyPoint>& points,
                  const std::function<void(double)>& inner) const {
-        for (const WaySetting& setting : way.settings) {
+        for (const MethodSetting& setting : method.settings) {
             const auto timed = time_from_cold([&] { return setting.make(wanted, stop_); });
             const StoredTable& table = timed.result;
             auto add = [&](Quantity quantity, const TableError& error) {
@@ -102,8 +102,8 @@ class AccuracyRun {
                 add(Quantity::albedo_f0, truth.albedo_error_of(table, 1));
             }
             if (timed.seconds > options_.longest) return;
-            inner(static_cast<double>(&setting - way.settings.data() + 1) /
-                  static_cast<double>(way.settings.size()));
+            inner(static_cast<double>(&setting - method.settings.data() + 1) /
+                  static_cast<double>(method.settings.size()));
         }
     }
 
@@ -132,7 +132,7 @@ DesignAccuracy measure_accuracy(const Design& design, const AccuracyOptions& opt
     DesignAccuracy accuracy;
     accuracy.name = design.name;
     accuracy.symmetry = find_symmetry(design.distribution).symmetry;
-    accuracy.ways = AccuracyRun(design, options, stop, progress).run();
+    accuracy.methods = AccuracyRun(design, options, stop, progress).run();
     accuracy.costs = measure_omissions(design, stop);
     if (progress) progress(1);
     return accuracy;

@@ -1,4 +1,4 @@
-// Error beside time: every way of computing and storing g and R, measured on one design.
+// Error against time of every method of computing and storing g and R, measured on one design.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 #include "core/bake/tables.h"
 #include "core/design/design.h"
+#include "core/study/method.h"
 #include "core/study/omission_cost.h"
-#include "core/study/way.h"
 
 namespace nacre {
 
@@ -29,8 +29,8 @@ struct AccuracyPoint {
     TableError error;
 };
 
-struct WayAccuracy {
-    WayKind kind;
+struct MethodAccuracy {
+    MethodKind kind;
     std::string name;
     std::string about;
     std::vector<AccuracyPoint> points;  // in the order they were made, rising in cost
@@ -41,14 +41,14 @@ struct DesignAccuracy {
     std::string name;  // of the design, for people
     std::string file;  // stem for the files about it
     Symmetry symmetry = Symmetry::none;
-    std::vector<WayAccuracy> ways;
+    std::vector<MethodAccuracy> methods;
     OmissionCosts costs;
 };
 
 struct AccuracyOptions {
     int area_probes = 200;
     int albedo_probes = 16;
-    double longest = 1;  // seconds: a way stops rising after a table that took longer
+    double longest = 1;  // seconds: a method goes on to no larger table after one that took longer
 };
 
 // R is that of the design's p and shadowing, with F = 1 and with f0 = 0 whatever its own Fresnel model is.

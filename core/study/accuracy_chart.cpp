@@ -32,30 +32,30 @@ std::string span_of(const std::string& first, const std::string& last) {
                        fmt::join(all.begin() + static_cast<long>(shared), all.end(), " "));
 }
 
-Ink ink_of(WayKind kind) {
+Ink ink_of(MethodKind kind) {
     switch (kind) {
-        case WayKind::monte_carlo:
+        case MethodKind::monte_carlo:
             return Ink::first;
-        case WayKind::cubature:
+        case MethodKind::cubature:
             return Ink::second;
-        case WayKind::plain_grid:
+        case MethodKind::plain_grid:
             return Ink::third;
-        case WayKind::stretched:
+        case MethodKind::stretched:
             return Ink::red;
-        case WayKind::bake:
+        case MethodKind::bake:
             return Ink::plain;
-        case WayKind::harmonics:
+        case MethodKind::harmonics:
             return Ink::fourth;
     }
     return Ink::plain;
 }
 
-PointSeries series_of(const WayAccuracy& way, ChartOf quantity) {
-    PointSeries line{.name = way.name, .ink = ink_of(way.kind)};
+PointSeries series_of(const MethodAccuracy& method, ChartOf quantity) {
+    PointSeries line{.name = method.name, .ink = ink_of(method.kind)};
     const double error_unit = quantity == ChartOf::area ? 0.01 : 1, time_unit = 1e-3;
-    const std::vector<ShownPoint> points = shown_points(way, quantity);
-    // The bake's own choices are no series, and stand by name.
-    const bool by_name = way.kind == WayKind::bake;
+    const std::vector<ShownPoint> points = shown_points(method, quantity);
+    // The bake's own choices are not a series, and are labelled by name.
+    const bool by_name = method.kind == MethodKind::bake;
     line.joined = !by_name;
     for (const ShownPoint& point : points) {
         const double time = point.seconds / time_unit;
@@ -69,7 +69,7 @@ PointSeries series_of(const WayAccuracy& way, ChartOf quantity) {
         line.note = by_name ? "as it comes, in two qualities"
                             : span_of(points.front().setting, points.back().setting);
     else
-        line.note = way.left_out.empty() ? "" : "left out: " + way.left_out;
+        line.note = method.left_out.empty() ? "" : "left out: " + method.left_out;
     return line;
 }
 
@@ -79,18 +79,18 @@ PointPlot accuracy_chart(const DesignAccuracy& design, ChartOf quantity) {
     const bool area = quantity == ChartOf::area;
     PointPlot chart;
     chart.title = design.name.empty() ? design.file : one_line(design.name, 60);
-    chart.subtitle =
-        area ? "Projected area g: how far the table is from the truth, and how long it takes to make"
-             : "Albedo R: how far the table is from the truth, and how long it takes to make";
+    chart.subtitle = area ? "Projected area g: error of the table against the time to make it"
+                          : "Albedo R: error of the table against the time to make it";
     chart.x.title = "time from the design to the finished table, one thread (ms)";
     chart.y.title = area ? "worst relative error of g (%)" : "worst error of R, which lies between 0 and 1";
-    for (const WayAccuracy& way : design.ways) {
-        PointSeries line = series_of(way, quantity);
-        if (!line.points.empty() || (area && !way.left_out.empty())) chart.series.push_back(std::move(line));
+    for (const MethodAccuracy& method : design.methods) {
+        PointSeries line = series_of(method, quantity);
+        if (!line.points.empty() || (area && !method.left_out.empty()))
+            chart.series.push_back(std::move(line));
     }
     int directions = 0;
-    for (const WayAccuracy& way : design.ways)
-        for (const ShownPoint& point : shown_points(way, quantity)) directions = point.error.directions;
+    for (const MethodAccuracy& method : design.methods)
+        for (const ShownPoint& point : shown_points(method, quantity)) directions = point.error.directions;
     chart.notes = {
         area
             ? fmt::format("Thick: worst of {} directions from the normal to grazing. Thin: root mean square.",

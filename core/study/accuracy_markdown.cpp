@@ -39,9 +39,9 @@ std::string design_name(const DesignAccuracy& design) {
     return cell(design.name.empty() ? design.file : design.name);
 }
 
-std::vector<ShownPoint> points_of(const DesignAccuracy& design, WayKind kind, ChartOf quantity) {
-    for (const WayAccuracy& way : design.ways)
-        if (way.kind == kind) return shown_points(way, quantity);
+std::vector<ShownPoint> points_of(const DesignAccuracy& design, MethodKind kind, ChartOf quantity) {
+    for (const MethodAccuracy& method : design.methods)
+        if (method.kind == kind) return shown_points(method, quantity);
     return {};
 }
 
@@ -90,13 +90,13 @@ std::string as_good(const std::vector<ShownPoint>& plain, const std::optional<Sh
 
 std::string summary_row(const DesignAccuracy& design, ChartOf quantity) {
     std::optional<ShownPoint> draft, final;
-    for (const ShownPoint& point : points_of(design, WayKind::bake, quantity))
+    for (const ShownPoint& point : points_of(design, MethodKind::bake, quantity))
         (point.setting == "draft" ? draft : final) = point;
-    return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", design_name(design),
-                       name_of(design.symmetry),
-                       point_text(last_of(points_of(design, WayKind::monte_carlo, quantity))),
-                       point_text(best_of(points_of(design, WayKind::cubature, quantity))), point_text(draft),
-                       point_text(final), as_good(points_of(design, WayKind::plain_grid, quantity), final));
+    return fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} |\n", design_name(design), name_of(design.symmetry),
+        point_text(last_of(points_of(design, MethodKind::monte_carlo, quantity))),
+        point_text(best_of(points_of(design, MethodKind::cubature, quantity))), point_text(draft),
+        point_text(final), as_good(points_of(design, MethodKind::plain_grid, quantity), final));
 }
 
 std::string summary(const std::vector<DesignAccuracy>& designs, ChartOf quantity) {
@@ -125,28 +125,28 @@ std::string cost_summary(const std::vector<DesignAccuracy>& designs) {
 std::string harmonics_summary(const std::vector<DesignAccuracy>& designs) {
     std::string text = "| design | g by spherical harmonics |\n| --- | --- |\n";
     for (const DesignAccuracy& design : designs)
-        for (const WayAccuracy& way : design.ways) {
-            if (way.kind != WayKind::harmonics) continue;
-            const auto best = best_of(shown_points(way, ChartOf::area));
+        for (const MethodAccuracy& method : design.methods) {
+            if (method.kind != MethodKind::harmonics) continue;
+            const auto best = best_of(shown_points(method, ChartOf::area));
             text += fmt::format(
                 "| {} | {} |\n", design_name(design),
                 best ? fmt::format("{}: worst error {}", best->setting, error_text(best->error.worst))
-                     : "left out: " + way.left_out);
+                     : "left out: " + method.left_out);
         }
     return text;
 }
 
-std::string way_tables(const DesignAccuracy& design) {
+std::string method_tables(const DesignAccuracy& design) {
     std::string text =
-        "| way | setting | of | time | bytes | worst | root mean square |\n"
+        "| method | setting | of | time | bytes | worst | root mean square |\n"
         "| --- | --- | --- | --- | --- | --- | --- |\n";
-    for (const WayAccuracy& way : design.ways) {
-        for (const AccuracyPoint& point : way.points)
-            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", way.name, point.setting,
+    for (const MethodAccuracy& method : design.methods) {
+        for (const AccuracyPoint& point : method.points)
+            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", method.name, point.setting,
                                 name_of(point.quantity), time_text(point.seconds), point.bytes,
                                 error_text(point.error.worst), error_text(point.error.root_mean_square));
-        if (!way.left_out.empty())
-            text += fmt::format("| {} | left out: {} | | | | | |\n", way.name, way.left_out);
+        if (!method.left_out.empty())
+            text += fmt::format("| {} | left out: {} | | | | | |\n", method.name, method.left_out);
     }
     return text;
 }
@@ -168,15 +168,15 @@ std::string design_section(const DesignAccuracy& design) {
         "\n## {}\n\n![g](<{}>)\n\n![R](<{}>)\n\n{}\nWhat is left out, and what it would cost to have "
         "it:\n\n{}",
         design_name(design), markdown_target(chart_file(design.file, ChartOf::area)),
-        markdown_target(chart_file(design.file, ChartOf::albedo)), way_tables(design),
+        markdown_target(chart_file(design.file, ChartOf::albedo)), method_tables(design),
         cost_table(design.costs));
 }
 
-std::string about_ways(const std::vector<DesignAccuracy>& designs) {
+std::string about_methods(const std::vector<DesignAccuracy>& designs) {
     std::string text;
     if (designs.empty()) return text;
-    for (const WayAccuracy& way : designs.front().ways)
-        text += fmt::format("- **{}**: {}.\n", way.name, way.about);
+    for (const MethodAccuracy& method : designs.front().methods)
+        text += fmt::format("- **{}**: {}.\n", method.name, method.about);
     return text;
 }
 
@@ -184,7 +184,7 @@ std::string about_ways(const std::vector<DesignAccuracy>& designs) {
 
 std::string accuracy_markdown(const std::vector<DesignAccuracy>& designs) {
     std::string text = "# Error beside time\n\n";
-    text += about_ways(designs);
+    text += about_methods(designs);
     text += fmt::format(
         "\nThe error of g is relative, that of R (with F = 1 and with Schlick's factor of f0 = 0) absolute, "
         "both the "

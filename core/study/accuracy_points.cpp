@@ -15,9 +15,9 @@ TableError together(const TableError& a, const TableError& b) {
 
 }  // namespace
 
-std::vector<ShownPoint> shown_points(const WayAccuracy& way, ChartOf quantity) {
+std::vector<ShownPoint> shown_points(const MethodAccuracy& method, ChartOf quantity) {
     std::vector<ShownPoint> shown;
-    for (const AccuracyPoint& point : way.points) {
+    for (const AccuracyPoint& point : method.points) {
         if ((point.quantity == Quantity::area) != (quantity == ChartOf::area)) continue;
         // R0 follows R1 of the same table.
         if (point.quantity == Quantity::albedo_f0)

@@ -1,4 +1,4 @@
-// The points of a way that one chart or table shows.
+// The points of a method that one chart or table shows.
 #pragma once
 
 #include <string>
@@ -17,6 +17,6 @@ struct ShownPoint {
     TableError error;  // of R: of both Fresnel factors together
 };
 
-std::vector<ShownPoint> shown_points(const WayAccuracy& way, ChartOf quantity);
+std::vector<ShownPoint> shown_points(const MethodAccuracy& method, ChartOf quantity);
 
 }  // namespace nacre

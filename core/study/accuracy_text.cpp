@@ -13,9 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json points_json(const WayAccuracy& way) {
+Json points_json(const MethodAccuracy& method) {
     Json points = Json::array();
-    for (const AccuracyPoint& point : way.points) {
+    for (const AccuracyPoint& point : method.points) {
         Json json = {{"setting", point.setting},
                      {"quantity", name_of(point.quantity)},
                      {"seconds", point.seconds},
@@ -39,16 +39,16 @@ Json costs_json(const OmissionCosts& costs) {
 }
 
 Json design_json(const DesignAccuracy& design) {
-    Json ways = Json::array();
-    for (const WayAccuracy& way : design.ways) {
-        Json json = {{"name", way.name}, {"about", way.about}, {"points", points_json(way)}};
-        if (!way.left_out.empty()) json["left_out"] = way.left_out;
-        ways.push_back(std::move(json));
+    Json methods = Json::array();
+    for (const MethodAccuracy& method : design.methods) {
+        Json json = {{"name", method.name}, {"about", method.about}, {"points", points_json(method)}};
+        if (!method.left_out.empty()) json["left_out"] = method.left_out;
+        methods.push_back(std::move(json));
     }
     return {{"name", design.name},
             {"file", design.file},
             {"symmetry", name_of(design.symmetry)},
-            {"ways", std::move(ways)},
+            {"ways", std::move(methods)},
             {"omissions", costs_json(design.costs)}};
 }
 
@@ -57,13 +57,13 @@ Json design_json(const DesignAccuracy& design) {
 std::string accuracy_csv(const std::vector<DesignAccuracy>& designs) {
     std::string text = "design,file,symmetry,way,setting,quantity,seconds,bytes,worst,rms,directions\r\n";
     for (const DesignAccuracy& design : designs)
-        for (const WayAccuracy& way : design.ways)
-            for (const AccuracyPoint& point : way.points)
-                text += fmt::format("{},{},{},{},{},{},{:.6g},{},{:.6g},{:.6g},{}\r\n",
-                                    csv_field(one_line(design.name)), csv_field(one_line(design.file)),
-                                    name_of(design.symmetry), csv_field(way.name), csv_field(point.setting),
-                                    name_of(point.quantity), point.seconds, point.bytes, point.error.worst,
-                                    point.error.root_mean_square, point.error.directions);
+        for (const MethodAccuracy& method : design.methods)
+            for (const AccuracyPoint& point : method.points)
+                text += fmt::format(
+                    "{},{},{},{},{},{},{:.6g},{},{:.6g},{:.6g},{}\r\n", csv_field(one_line(design.name)),
+                    csv_field(one_line(design.file)), name_of(design.symmetry), csv_field(method.name),
+                    csv_field(point.setting), name_of(point.quantity), point.seconds, point.bytes,
+                    point.error.worst, point.error.root_mean_square, point.error.directions);
     return text;
 }
 

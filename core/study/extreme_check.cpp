@@ -137,7 +137,8 @@ class Judgement {
         result_.albedo = {measured.albedo.worst, bound(claimed.albedo)};
         auto check = [&](const char* what, const ClaimedError& error, const TableError& own, double most) {
             expect(std::isfinite(error.bound) && error.error <= error.bound,
-                   fmt::format("{} errs by {:.2e}, the bake claims {:.2e}", what, error.error, error.bound));
+                   fmt::format("{} has an error of {:.2e}, the bake claims {:.2e}", what, error.error,
+                               error.bound));
             expect(own.worst <= most, fmt::format("the bake claims {:.2e} for {}, {:.1e} can be expected",
                                                   own.worst, what, most));
         };
@@ -146,7 +147,7 @@ class Judgement {
         if (extreme_.design.shadowing.clamp) check_total();
     }
 
-    // The whole BRDF in a white surrounding, as its tables tell it.
+    // The whole BRDF in a white environment, by its tables.
     void check_total() {
         const double bound = 1 + result_.albedo.bound;
         int bright = 0;
@@ -207,7 +208,7 @@ ExtremeResult judge_tables(const ExtremeCase& extreme, const std::shared_ptr<con
     return result;
 }
 
-ExtremeResult judge(const ExtremeCase& extreme, const ExtremeOptions& options, std::stop_token stop) {
+ExtremeResult judge(const ExtremeCase& extreme, const ExtremeOptions& options, const std::stop_token& stop) {
     const Stopwatch time;
     ExtremeResult result;
     try {

@@ -1,4 +1,4 @@
-// Is an extreme design's BRDF sound, and as close to the truth as its bake claims?
+// Is an extreme design's BRDF finite and non-negative, and as close to the reference as its bake claims?
 #pragma once
 
 #include <functional>
@@ -44,10 +44,10 @@ struct ExtremeResult {
 
 // Bakes the case with R and judges it. Throws BakeCancelled soon after a stop is requested.
 ExtremeResult judge(const ExtremeCase& extreme, const ExtremeOptions& options = {},
-                    std::stop_token stop = {});
+                    const std::stop_token& stop = {});
 
-// Judges the tables of a case: every rho finite, not negative and reciprocal to the bit, in double and in
-// float; R at most 1 under clamp; the errors of g and R as claimed; rho that of `same_rho`.
+// Judges the tables of a case: every rho finite, non-negative and exactly reciprocal, in double and
+// in float; R at most 1 under clamp; the errors of g and R as claimed; rho that of `same_rho`.
 ExtremeResult judge_tables(const ExtremeCase& extreme, const std::shared_ptr<const Tables>& tables,
                            const ExtremeOptions& options = {}, std::stop_token stop = {});
 

@@ -91,13 +91,13 @@ void add_tilts(Cases& cases) {
     };
     for (const double width : {1e-3, 0.1, 1.0})
         add(fmt::format("gaussian {:g} by 89 degrees", width), of(GaussianLobe{width, width}, 89),
-            leaning_area_claim);
+            tilted_area_claim);
     add("ggx 0.0001 by 45 degrees", of(GgxLobe{1e-4, 1e-4}, 45), usual_claim);
     cases.back().albedo_claim = layer_albedo_claim;
     add("inverse gaussian 0.01 by 89 degrees", of(InverseGaussianLobe{0.01}, 89), usual_claim);
     add("gaussian (0.01, infinity) by 89 degrees", of(GaussianLobe{0.01, infinity}, 89), usual_claim);
-    add("gaussian (infinity, 0.01) by 89 degrees", of(GaussianLobe{infinity, 0.01}, 89), leaning_area_claim);
-    add("grooves of 0.001", grooves(1e-3, 20), leaning_area_claim);
+    add("gaussian (infinity, 0.01) by 89 degrees", of(GaussianLobe{infinity, 0.01}, 89), tilted_area_claim);
+    add("grooves of 0.001", grooves(1e-3, 20), tilted_area_claim);
     add("grooves of 0.01", grooves(0.01, 20), usual_claim);
     add("grooves of 0.1", grooves(0.1, 20), usual_claim);
     add("grooves of 0.01 by 80 degrees", grooves(0.01, 80), usual_claim);
@@ -107,7 +107,7 @@ void add_tilts(Cases& cases) {
     slanted.shadowing.model = CorrelatedMasking{};
     add("slanted velvet", slanted, usual_claim);
     slanted.shadowing.clamp = false;
-    add("slanted velvet, no clamp", slanted, leaning_area_claim);
+    add("slanted velvet, no clamp", slanted, tilted_area_claim);
     cases.back().albedo_claim = layer_albedo_claim;
 }
 
@@ -117,7 +117,7 @@ void add_mixtures(Cases& cases) {
                          with_layer(of(UniformLobe{}), GaussianLobe{1e-4, 1e-4}, weight)});
     cases.push_back({"mixtures", "haze of weight 1e-06 over a leaning needle",
                      with_layer(of(GaussianLobe{1e-3, 1e-3}, 30), UniformLobe{}, 1e-6)});
-    cases.back().area_claim = leaning_area_claim;
+    cases.back().area_claim = tilted_area_claim;
     cases.back().albedo_claim = layer_albedo_claim;
     Design many = of(GaussianLobe{1e-4, 1e-4});
     for (int i = 1; i < limits::layers_max; ++i) {
@@ -196,8 +196,8 @@ void add_mean_cosines(Cases& cases) {
     }
 }
 
-// Each model as it comes and at its extremes, on a p that leans; t of less than a degree upright, since one R
-// that leans takes the reference a minute.
+// Each model as it comes and at its extremes, on a tilted p; t of less than a degree on an upright one, since the
+// reference takes a minute for one R of a tilted p.
 void add_visibilities(Cases& cases) {
     std::vector<NamedValue<MaskingModel>> models;
     for (std::size_t kind = 0; kind < KindSet<MaskingModel>::count; ++kind)
@@ -214,7 +214,7 @@ void add_visibilities(Cases& cases) {
             design.diffuse = CoupledDiffuse{};
             cases.push_back({"visibility", fmt::format("{}{}", name, clamp ? "" : ", no clamp"), design});
             if (narrow) continue;
-            const ExtremeClaims claims = leaning_claims(model, clamp);
+            const ExtremeClaims claims = tilted_claims(model, clamp);
             cases.back().area_claim = claims.area;
             cases.back().albedo_claim = claims.albedo;
         }

@@ -13,7 +13,8 @@ struct ExtremeCase {
     std::string group;
     std::string name;
     Design design;
-    std::string refusal = {};             // part of what the bake refuses it with; empty: it must be sound
+    std::string refusal =
+        {};  // part of what the bake refuses it with; empty: it must bake and be finite and non-negative
     std::optional<Design> same_rho = {};  // a design whose BRDF must be the same
     double area_claim = ExtremeClaims{}.area;
     double albedo_claim = ExtremeClaims{}.albedo;

@@ -1,12 +1,12 @@
-// A plain grid filled with g, and with R where that is wanted too.
+// A plain grid of g, and of R where that is wanted.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "core/bake/bake.h"
+#include "core/study/method.h"
 #include "core/study/plain_grid.h"
-#include "core/study/way.h"
 
 namespace nacre {
 
@@ -40,8 +40,8 @@ class GridTable {
         }
     }
 
-    // The table as a way's result.
-    static StoredTable stored(std::shared_ptr<const GridTable> table) {
+    // The table as a method's result.
+    static StoredTable stored(const std::shared_ptr<const GridTable>& table) {
         const std::size_t floats = table->area_.size() + table->full_.size() + table->zero_.size();
         return {.area = [table](dvec3 k) { return table->area(k); },
                 .albedo =

@@ -1,7 +1,7 @@
 // The extreme values of every kind of a set, from its list of parameters: all of a kind's parameters together
 // from one end of their bounds to the other, each by itself at either end with the others as the kind comes,
-// and every second one at one end with the rest at the other. What the bounds do not tell, a kind adds by
-// singular().
+// and every second one at one end with the rest at the other. Extremes within the bounds are added by
+// the kind's singular().
 #pragma once
 
 #include <fmt/format.h>

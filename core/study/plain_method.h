@@ -1,4 +1,4 @@
-// The method as the paper tells it, for comparison: g on a plain grid of 200 directions and eq. 26 without
+// The paper's method, for comparison: g on a plain grid of 200 directions and eq. 26 without
 // clamp, R by plain Monte Carlo (Ashikhmin 2000, sec. 5).
 #pragma once
 
@@ -25,7 +25,7 @@ class PlainMethod {
     // p N/(4 g1 g2), F = 1; what the arithmetic makes of it.
     double specular(dvec3 k1, dvec3 k2) const;
 
-    // R with F = 1, the mean of pi rho over so many directions drawn by the cosine.
+    // R with F = 1, the mean of pi rho over `samples` directions drawn by the cosine.
     double albedo(dvec3 k, int samples, Random& random) const;
 
   private:

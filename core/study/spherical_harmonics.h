@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-// How the harmonics up to `degree` are told apart; with `round`, only those that do not depend on azimuth.
+// Indexing of the harmonics up to `degree`; with `round`, only those that do not depend on azimuth.
 class HarmonicBasis {
   public:
     HarmonicBasis(int degree, bool round);

@@ -15,8 +15,8 @@ namespace nacre {
 
 class AdaptiveAlbedo {
   public:
-    // `tolerance`: absolute, of every value. A lobe that has no smooth form is summed over so many of its
-    // cells at the most, or integrated as its picture is with 0.
+    // `tolerance`: absolute, of every value. A lobe that has no smooth form is summed over at most
+    // this many of its cells; with 0 it is integrated as its picture is.
     AdaptiveAlbedo(const FacetDistribution& distribution, double tolerance, std::size_t facets = 0)
         : distribution_(distribution), tolerance_(tolerance), facet_count_(facets) {
         for (const PlacedLobe& placed : distribution.lobes())

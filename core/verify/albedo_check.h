@@ -9,10 +9,10 @@
 namespace nacre {
 
 struct AlbedoCheck {
-    double worst = 0;    // the largest R at F = 1; infinite where one is no number
+    double worst = 0;    // the largest R at F = 1; infinite where one is NaN
     int violations = 0;  // directions with R > 1 + 1e-6
     int directions = 0;
-    int unsettled = 0;  // directions whose R could not be told from 1 in the time there is
+    int unsettled = 0;  // directions whose R could not be distinguished from 1 within the time limit
 };
 
 // Rings of directions, the last at 89.5 degrees. The paper's count unless another is asked for (Ashikhmin
@@ -22,7 +22,7 @@ struct AlbedoRings {
     int azimuths = 20;
 };
 
-// By the bake's quadrature, and by the reference where that cannot tell R from 1, the largest R first.
+// By the bake's quadrature, and by the reference where that cannot distinguish R from 1, the largest R first.
 AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std::stop_token stop,
                            const AlbedoRings& rings = {});
 

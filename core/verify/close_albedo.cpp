@@ -5,7 +5,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::size_t summed_one_by_one = 1 << 17;  // so many facets at the most
+constexpr std::size_t summed_one_by_one = 1 << 17;  // facets at most
 constexpr std::size_t cells_of_more = 25600;
 
 bool many(const Reference& reference) { return count_facets(reference.layers()) > summed_one_by_one; }

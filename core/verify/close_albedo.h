@@ -6,7 +6,7 @@
 namespace nacre {
 
 // Smooth lobes to the tolerance; many facets are merged (merged_facets.h) and summed over some ten thousand
-// cells, which errs by about 1e-5.
+// cells, with an error of about 1e-5.
 class CloseAlbedo {
   public:
     // `reference` is kept as a reference.

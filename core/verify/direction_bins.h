@@ -24,7 +24,7 @@ class DirectionBins {
     std::size_t index(dvec3 k) const;
     double share(std::size_t bin) const { return share_[bin]; }
 
-    // Of share(): as if its parts had been drawn at random, which is more than of parts that lie evenly.
+    // Of share(): as if its parts had been drawn at random; evenly spaced parts have less.
     double variance(std::size_t bin) const { return variance_[bin]; }
 
   private:

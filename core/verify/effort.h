@@ -1,4 +1,4 @@
-// Measurements that end in time whatever the design costs.
+// Measurements with a limit of processor time.
 #pragma once
 
 #include <ctime>

@@ -133,7 +133,7 @@ class PhysicsCheckRun {
 
     // The tables must be as good as the bake says, which is the promise that a renderer relies on. That they
     // are as good as was wanted is another question: a p with more detail than the largest tables hold breaks
-    // no physics, and its bake tells the error.
+    // no physics, and its bake reports the error.
     void check_tables() {
         const TableErrors errors = measure_table_errors(*tables_, reference_, stop_);
         check_table("table of g", "tolerance of g", errors.area, tables_->errors.area);

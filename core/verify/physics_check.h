@@ -10,7 +10,7 @@
 
 namespace nacre {
 
-enum class Verdict { pass, fail, note };  // a note tells something that breaks nothing
+enum class Verdict { pass, fail, note };  // a note reports something that breaks nothing
 
 struct PhysicsCheck {
     std::string name;

@@ -1,4 +1,4 @@
-// The truth: adaptive integration in double, in the lobes' own coordinates, with no table in between.
+// The reference: adaptive integration in double, in the lobes' own coordinates, without tables.
 #pragma once
 
 #include <stop_token>
@@ -19,7 +19,7 @@ class Reference {
     Reference& operator=(const Reference&) = delete;
 
     // g and P = N c/g (min(1, .) under clamp), relative error below 1e-9. Where a picture takes part g is
-    // within 5e-6 of p's own, which is bilinear between texels, in parts of the whole; 2e-5 where each texel
+    // within 5e-6 of p's own, which is bilinear between texels, relative to the whole; 2e-5 where each texel
     // of a modulation differs from the next as much as it can.
     double projected_area(dvec3 k) const { return distribution_.projected_area(k); }
     double visibility(dvec3 k) const;

@@ -11,7 +11,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int facet_points = 96;
-constexpr int light_columns = 512;  // at the least, whatever the picture has
+constexpr int light_columns = 512;  // at least, whatever the picture has
 
 }  // namespace
 

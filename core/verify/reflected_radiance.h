@@ -1,4 +1,5 @@
-// What a baked surface sends to the viewer under an environment: the truth that the preview is held against.
+// Radiance that a baked surface reflects toward the viewer under an environment: the reference for the
+// preview.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,8 +12,8 @@ namespace nacre {
 
 // The integral over the hemisphere of rho(k1, k2) L(k1) (k1.n) dk1, W/(m^2 sr), by two quadratures that share
 // it: over the picture's texels, where light is narrow, and over facets, dk1 = 4 (k2.h) dh, in the lobes' own
-// coordinates, where p is. The balance heuristic (Veach & Guibas 1995) parts the integrand between them, so
-// that what either sees is smooth at its own points. In double, without random numbers.
+// coordinates, where p is. The balance heuristic (Veach & Guibas 1995) splits the integrand between them, so
+// that each part is smooth at its own points. In double, without random numbers.
 class RadianceIntegral {
   public:
     // `fineness` 1: 256 or more columns of light, half of the picture's own, and 96 x 96 facets for half a
@@ -26,7 +27,7 @@ class RadianceIntegral {
   private:
     struct Light {
         dvec3 direction;
-        dvec3 radiance;  // times the solid angle that it stands for
+        dvec3 radiance;  // times the texel's solid angle
         double density, solid_angle;
     };
     struct View;

@@ -1,4 +1,4 @@
-// Are samples worth what the albedo says, and none more than its facet reflects?
+// Do samples average to R, and is none of them worth more than its facet reflects?
 #pragma once
 
 #include <stop_token>

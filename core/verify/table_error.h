@@ -1,4 +1,4 @@
-// How far the tables are from the truth, on a fixed set of directions.
+// Errors of the tables against the reference, on a fixed set of directions.
 #pragma once
 
 #include <stop_token>
@@ -9,12 +9,12 @@
 
 namespace nacre {
 
-// Directions over the hemisphere, c from 1 down to 1e-5, azimuths that no table's row stands on.
+// Directions over the hemisphere, c from 1 down to 1e-5, azimuths that are on no table's row.
 std::vector<dvec3> probe_directions(int count);
 
 struct ProbeCounts {
     int area = 200;
-    int albedo = 8;  // at the most: fewer, and at least 4, where they take more than 12 s of processor time
+    int albedo = 8;  // at most; fewer, but at least 4, where they take more than 12 s of processor time
 };
 
 // Against the exact g and R; `reference` is that of the same design. Without baked R that is not measured.

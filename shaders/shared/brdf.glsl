@@ -104,7 +104,7 @@ real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
 }
 #endif
 
-// Reads the tables for k, which stands above the horizon.
+// Reads the tables for k, which is above the horizon.
 Direction direction(real3 k) READS {
     Direction a;
     TableSpot spot = table_spot(k);
@@ -118,7 +118,7 @@ Direction direction(real3 k) READS {
 }
 
 #if HAS_ALBEDO
-// What of a constant surrounding of radiance 1 the diffuse term sends toward k.
+// What of a constant environment of radiance 1 the diffuse term sends toward k.
 real3 diffuse_albedo(Direction a) READS {
     real3 sum = real3(0.0);
 #define DIFFUSE_CASE(index, share_of, diffuse_of, albedo_of) if (DIFFUSE_IS(index)) sum = albedo_of(a);

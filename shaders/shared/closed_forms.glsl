@@ -115,7 +115,7 @@ real3 closed_form_diffuse(ClosedForm form, Direction a, Direction b) READS {
 }
 
 #if HAS_ALBEDO
-// What of a constant surrounding of radiance 1 the model by itself sends toward k, from its table.
+// What of a constant environment of radiance 1 the model by itself sends toward k, from its table.
 real3 closed_form_albedo(ClosedForm form, real3 k) READS {
     real3 own = in_model_axes(form, k);
     real sine = sqrt(own.x * own.x + own.y * own.y);

@@ -28,7 +28,7 @@ struct TableShape {
     scalar2 moment;   // along the tangent and bitangent: of what is linear in k and left out of the table of g
     scalar2 axis;     // cos and sin of the azimuth that the tables are aligned with
     scalar2 stretch;  // widths of p along that axis and across it
-    scalar lean;      // -1 to 1: how far rows gather opposite to that axis
+    scalar lean;      // -1 to 1: how much denser rows are opposite to that axis
     int symmetry;   // SYMMETRY_*
     int nodes_w;      // along theta, for g
     int nodes_v;      // along theta, for R

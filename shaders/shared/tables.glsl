@@ -6,12 +6,12 @@
 //   w = 2 q / (c g(n) + 2 q),   psi = azimuth after that ellipse is made a circle, in quarter turns (see
 //                               quarter_turns())
 //
-// c g(n) + 2 q is what g is near the normal and, where <h> stands on n, about twice what it is at grazing: A is 1
+// c g(n) + 2 q is what g is near the normal and, where <h> is along n, about twice what it is at grazing: A is 1
 // at the normal (w = 0) and, with m = 0, about 1/2 there (w = 1). Straight lines in w are chords of the homogeneous,
-// convex g on a meridian, and exact for what is linear in k. m is 0, or for a p that leans the horizontal part of
-// the integral of h p over the facets above the horizon, whichever errs less: where facets turn away at once, as
-// those of a tilted needle, g is linear before; where they do so little by little, m.k and the rest would cancel,
-// and rows that gather there serve better (table_turns).
+// convex g on a meridian, and exact for what is linear in k. m is 0, or for a tilted p the horizontal part of
+// the integral of h p over the facets above the horizon, whichever has the smaller error: where facets turn away all
+// at once, as those of a tilted needle, g is linear before; where they do so gradually, m.k and the rest would
+// cancel, and rows that are denser there serve better (table_turns).
 //
 // R also turns at the scale of the hemisphere itself (Fresnel, a lobe that is narrow one way and wide the
 // other), so its tables share their nodes between both scales:
@@ -21,7 +21,7 @@
 // What they hold is the mean of F V over the facets that k sees, R G/g with G = max(g, N c): it stays smooth where
 // the clamp cuts in.
 //
-// Tables are bilinear; nodes stand on both ends in w and v, and in psi and rho on both ends of a folded range.
+// Tables are bilinear; nodes are on both ends in w and v, and in psi and rho on both ends of a folded range.
 
 CONSTANT scalar TABLE_PI = scalar(3.14159265358979323846);
 
@@ -50,7 +50,7 @@ struct AlbedoSpot {
 
 // The azimuth of (x, y) in quarter turns, in [0, 4]: exact at every eighth of a turn and within 0.009 between
 // them. Every table reads its rows by it, so that no arc tangent is needed: within a quarter, with
-// t = (y - x)/(y + x), the angle is pi/4 (1 + (4/pi) atan(t)), in whose place stands the cubic t (6 - t^2)/5,
+// t = (y - x)/(y + x), the angle is pi/4 (1 + (4/pi) atan(t)), approximated by the cubic t (6 - t^2)/5,
 // because rows then lie evenly to 6 %.
 PURE real quarter_turns(real x, real y) {
     real sum = abs(x) + abs(y);
@@ -77,8 +77,8 @@ TableRows table_rows(real turns, int nodes) READS {
     return rows;
 }
 
-// psi of (x, y) from the tables' axis. A p that leans turns away within a narrow range of azimuths: rows gather
-// there, as stars do ahead of one who flies (aberration), before p's width is made one.
+// psi of (x, y) from the tables' axis. A tilted p turns away within a narrow range of azimuths: rows are
+// denser there, by the formula of stellar aberration, before p's width is made one.
 real table_turns(real x, real y) READS {
     scalar lean = surface.tables.lean;
     real along = x;

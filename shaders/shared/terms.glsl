@@ -21,7 +21,7 @@ real3 mirroring_fresnel(Direction a, Direction b) READS {
     return fresnel(half_vector(a.k, b.k).cosine);
 }
 
-// 1/(g1 g2), p normalised to 1; with a correlated masking what stands in its place: P12/(N^2 c1 c2).
+// 1/(g1 g2), p normalised to 1; with a correlated masking what replaces it: P12/(N^2 c1 c2).
 real inverse_areas(Direction a, Direction b) READS {
     return safe_divide(visibility(a, b), real(surface.N));
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int directions = 8;
 constexpr int samples_timed = 20000;      // a direction
-constexpr double samples_verified = 2e6;  // a direction, at the most
+constexpr double samples_verified = 2e6;  // at most, for a direction
 
 struct Setup {
     explicit Setup(const Design& design)
@@ -85,8 +85,8 @@ void add(Report& report, const char* name, const Design& design, Sampling sampli
         state.counters["samples"] = samples;
         Line line = faster(what, pair, 20);
         line.remark = fmt::format(
-            "error {:.1e}, {:.1e} samples; a run of {:.0e} samples errs by {:.1e}, expected {:.1e}", error,
-            samples, run, verified, std::sqrt(variance / run));
+            "error {:.1e}, {:.1e} samples; a run of {:.0e} samples has an error of {:.1e}, expected {:.1e}",
+            error, samples, run, verified, std::sqrt(variance / run));
         report.add(line);
     });
 }

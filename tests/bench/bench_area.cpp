@@ -93,7 +93,7 @@ void add_directions(Report& report, const char* name) {
             difference = std::max(difference, std::fabs(theirs[i] - ours[i]) / ours[i]);
         state.counters["difference"] = difference;
         Line line = faster(what, pair, 5);
-        line.remark = fmt::format("they differ by {:.1e} at the most, relative", difference);
+        line.remark = fmt::format("they differ by at most {:.1e}, relative", difference);
         report.add(line);
     });
 }

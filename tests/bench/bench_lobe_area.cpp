@@ -75,7 +75,7 @@ void add(Report& report, const char* name, const Design& design) {
             state, static_cast<double>(ks.size()), [&] { each([&](dvec3 k) { return facets.area(k).g; }); },
             [&] { each([&](dvec3 k) { return cubature_area(facets, k, request); }); });
         Line line = compared(what, pair);
-        line.remark = fmt::format("cubature asked for {:.0e} errs by {:.1e}", request, error);
+        line.remark = fmt::format("cubature asked for {:.0e} has an error of {:.1e}", request, error);
         report.add(line);
     });
 }

@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
             double error = 0;
             for (std::size_t i = 0; i < std::size(counts); ++i) {
                 const auto begin = std::chrono::steady_clock::now();
-                error = relative_error(gathered(preview, points, environment, counts[i]), exact);
+                error = relative_error(accumulated(preview, points, environment, counts[i]), exact);
                 const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
                 if (counts[i] == 1024) seconds += taken.count();
                 squares[i] += error * error;

@@ -144,7 +144,8 @@ TEST_CASE("balance: what leans to one side is left as it is, with the reason") {
         512, [](double x, double y) { return (x - 0.5) * (x - 0.5) + y * y < 0.01 ? 1.0 : 0.0; });
     const Design painted = test::design_of(PaintedLobe{dab});
     CHECK_THROWS_WITH_AS(balanced(painted.distribution),
-                         ": balance: all facets lean to one side; Straighten turns them instead", UserError);
+                         ": balance: all facets are tilted to one side; Straighten turns them instead",
+                         UserError);
     const Design mirror =
         test::with_layer(test::design_of(GaussianLobe{0.001, 0.001}), GaussianLobe{0.3, 0.3}, 0.5, 50);
     CHECK_THROWS_WITH_AS(

@@ -66,7 +66,8 @@ std::vector<float> nodes_of(const Function& value) {
 
 constexpr TableNodes few_nodes{9, 8};
 
-// Tables by name of their size alone: what each errs at the directions it is first measured at, and anywhere.
+// Tables by name of their size alone: the error of each at the directions of its first measurement, and
+// anywhere.
 struct ToldTables {
     using Result = Fitted<int>;
     double first_of_small, first_of_large, small, large;
@@ -217,7 +218,7 @@ TEST_CASE("a search stays above the lowest cosine") {
     CHECK(k.x / k.y == doctest::Approx(0.75));
 }
 
-TEST_CASE("of two tables the one is kept that errs less at the same directions") {
+TEST_CASE("of two tables the one with the smaller error at the same directions is kept") {
     const FitWishes wishes{1e-3, 1e-3, 4096, 4096};
     const TableNodes first{25, 1};
     // Measured at more directions than the small one, the better one looks worse at first.

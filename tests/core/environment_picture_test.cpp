@@ -1,4 +1,4 @@
-// Surroundings as they are found: with light below 0, of odd shapes, too bright, too large.
+// Environment maps as they are found: with light below 0, of odd shapes, too bright, too large.
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 

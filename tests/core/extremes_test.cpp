@@ -136,7 +136,7 @@ TEST_CASE("a spoilt table is reported") {
                                                  for (int i = 0; i < shape.nodes_w * shape.nodes_psi; ++i)
                                                      tables.data[std::size_t(shape.area_offset + i)] *= 1.01F;
                                              }));
-    CHECK(mentions(wrong_area, "g errs by"));
+    CHECK(mentions(wrong_area, "g has an error of"));
     const std::string modest =
         faults_of(extreme, spoilt(extreme, [](Tables& tables) { tables.errors.area.worst = 0.01; }));
     CHECK(mentions(modest, "the bake claims 1.00e-02 for g, 1.5e-03 can be expected"));
@@ -146,7 +146,7 @@ TEST_CASE("a spoilt table is reported") {
                                                        tables.data[std::size_t(shape.albedo_offset + i)] +=
                                                            0.01F;
                                                }));
-    CHECK(mentions(wrong_albedo, "R errs by"));
+    CHECK(mentions(wrong_albedo, "R has an error of"));
     const std::string no_number =
         faults_of(extreme, spoilt(extreme, [](Tables& tables) { tables.data.back() = std::nanf(""); }));
     CHECK(mentions(no_number, "numbers of the tables are not finite"));

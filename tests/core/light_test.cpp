@@ -1,4 +1,4 @@
-// Pictures of light by latitude and longitude, the procedural ones, and the order that directions are drawn
+// Environment maps, the procedural ones, and the order that directions are drawn
 // in.
 #include <doctest/doctest.h>
 
@@ -194,7 +194,7 @@ TEST_CASE("the sky is Preetham's, and its sun shines as much on any raster") {
     for (int c = 0; c < 3; ++c) CHECK(coarse[c] == doctest::Approx(fine[c]).epsilon(0.01));
 }
 
-TEST_CASE("a picture of the surroundings is read as it is, and what cannot be used is one line") {
+TEST_CASE("an environment map is read as it is, and what cannot be used is one line") {
     const TemporaryFolder folder;
     std::vector<float> values;
     for (int i = 0; i < 8 * 4; ++i) values.insert(values.end(), {0.5f * static_cast<float>(i), 1, 2000});

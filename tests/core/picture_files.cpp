@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-#include "core/base/file_ending.h"
+#include "core/base/file_extension.h"
 
 namespace nacre::test {
 namespace {
@@ -37,10 +37,10 @@ std::uint64_t png_checksum(const std::string& bytes) {
     return crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
 }
 
-const char* format_of(const std::string& ending) {
-    if (ending == ".jp2") return "jpeg2000";
-    if (ending == ".heic") return "heif";
-    if (ending == ".tga") return "targa";
+const char* format_of(const std::string& extension) {
+    if (extension == ".jp2") return "jpeg2000";
+    if (extension == ".heic") return "heif";
+    if (extension == ".tga") return "targa";
     return nullptr;
 }
 
@@ -88,11 +88,11 @@ FloatImage stored(const FloatImage& upright, int orientation) {
 
 void write_picture(const std::filesystem::path& file, const FloatImage& image,
                    const ImageAttributes& attributes) {
-    const std::string ending = ending_of(file);
-    const char* const format = format_of(ending);
+    const std::string extension = extension_of(file);
+    const char* const format = format_of(extension);
     const auto output = OIIO::ImageOutput::create(format != nullptr ? format : file.string());
     REQUIRE(output);
-    const bool is_float = ending == ".exr" || ending == ".hdr" || ending == ".pfm";
+    const bool is_float = extension == ".exr" || extension == ".hdr" || extension == ".pfm";
     OIIO::ImageSpec spec(image.size.x, image.size.y, image.channels,
                          is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
     if (!attributes.channels.empty()) spec.channelnames = attributes.channels;

@@ -61,9 +61,9 @@ TEST_SUITE_BEGIN("picture orientation");
 
 TEST_CASE("picture orientation: EXIF's eight, in JPEG, TIFF and EXR") {
     const TemporaryFolder folder;
-    for (const char* ending : {"jpg", "tif", "exr"})
+    for (const char* extension : {"jpg", "tif", "exr"})
         for (int orientation = 1; orientation <= 8; ++orientation) {
-            const fs::path file = folder / ("lying-" + std::to_string(orientation) + "." + ending);
+            const fs::path file = folder / ("lying-" + std::to_string(orientation) + "." + extension);
             write_picture(
                 file, stored(quarters(), orientation),
                 {.numbers = {{"Orientation", orientation}}, .texts = {{"CompressionQuality", "98"}}});

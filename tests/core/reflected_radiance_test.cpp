@@ -16,7 +16,7 @@ using namespace nacre::test;
 
 namespace {
 
-// Leans by 50 degrees toward +x of the surroundings' frame.
+// Leans by 50 degrees toward +x of the environment's frame.
 glm::dmat3 leaning_frame() {
     const double t = 50 * std::numbers::pi / 180;
     return {{std::cos(t), 0, -std::sin(t)}, {0, 1, 0}, {std::sin(t), 0, std::cos(t)}};

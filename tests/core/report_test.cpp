@@ -64,13 +64,13 @@ TEST_CASE("the report's files are whole: CSV rows, JSON and XML") {
     Design design = brushed();
     design.name = "A <wild> & \"quoted\", \xEF\xBF\xBF name\n";
     std::vector<DesignAccuracy> reports(2, small_report(design));
-    WayAccuracy& harmonics = reports[1].ways.back();
-    REQUIRE(harmonics.kind == WayKind::harmonics);
+    MethodAccuracy& harmonics = reports[1].methods.back();
+    REQUIRE(harmonics.kind == MethodKind::harmonics);
     harmonics.points.clear();
     harmonics.left_out = "p is too narrow";
     std::size_t points = 0;
     for (const DesignAccuracy& report : reports)
-        for (const WayAccuracy& way : report.ways) points += way.points.size();
+        for (const MethodAccuracy& method : report.methods) points += method.points.size();
     REQUIRE(points > 20);
 
     const std::string csv = accuracy_csv(reports);
@@ -87,9 +87,9 @@ TEST_CASE("the report's files are whole: CSV rows, JSON and XML") {
     CHECK(json.at("designs").size() == 2);
     std::size_t json_points = 0;
     for (const auto& report : json.at("designs"))
-        for (const auto& way : report.at("ways")) {
-            json_points += way.at("points").size();
-            for (const auto& point : way.at("points")) {
+        for (const auto& method : report.at("ways")) {
+            json_points += method.at("points").size();
+            for (const auto& point : method.at("points")) {
                 CHECK(point.at("seconds").get<double>() > 0);
                 CHECK(point.at("worst").get<double>() >= point.at("rms").get<double>());
             }

@@ -1,4 +1,4 @@
-// What is no number must never pass for a small error.
+// NaN must never pass for a small error.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ const double none = std::nan("");
 
 TEST_SUITE_BEGIN("errors");
 
-TEST_CASE("an error that is no number is the largest, wherever it stands") {
+TEST_CASE("an error that is NaN is the largest, at any place in a list") {
     for (const std::vector<double>& errors :
          {std::vector<double>{none, 1e-4, 2e-4}, {1e-4, none, 2e-4}, {1e-4, 2e-4, none}}) {
         const TableError error = summarise(errors);
@@ -34,7 +34,7 @@ TEST_CASE("an error that is no number is the largest, wherever it stands") {
     CHECK(summarise({1e-4, 2e-4}).worst == 2e-4);
 }
 
-TEST_CASE("a g or R that is no number errs without bound") {
+TEST_CASE("a g or R that is NaN has an infinite error") {
     for (const bool clamp : {false, true}) {
         CAPTURE(clamp);
         Design design = design_of(GaussianLobe{0.1, 1});
@@ -54,7 +54,7 @@ TEST_CASE("a g or R that is no number errs without bound") {
     }
 }
 
-TEST_CASE("tables that hold no number fail every check that reads them") {
+TEST_CASE("tables that hold NaN fail every check that reads them") {
     const Design design = design_of(GgxLobe{0.3, 0.3});
     const auto good = bake(design, {.albedo = true});
     const Reference reference(design);

@@ -12,7 +12,7 @@ inline void write_grey(const std::filesystem::path& file, float value, int side 
     write_image(file, {side, side}, std::vector<float>(static_cast<std::size_t>(side * side * 3), value));
 }
 
-// A surrounding of one brightness.
+// An environment of one brightness.
 inline void write_sky(const std::filesystem::path& file, float value) {
     write_image(file, {16, 8}, std::vector<float>(std::size_t{16} * 8 * 3, value));
 }

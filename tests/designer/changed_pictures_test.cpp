@@ -1,4 +1,4 @@
-// Pictures, surroundings and objects that another program changes while they are shown.
+// Pictures, environment maps and objects that another program changes while they are shown.
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -93,7 +93,7 @@ TEST_CASE("changed pictures: one that cannot be read any more is told, and the o
     CHECK(!talking(r.designer()));
 }
 
-TEST_CASE("changed surroundings and objects offer to reload") {
+TEST_CASE("changed environment maps and objects offer to reload") {
     const TemporaryFolder folder;
     write_sky(folder / "sky.exr", 0.5f);
     write_all(folder / "thing.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

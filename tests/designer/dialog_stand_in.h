@@ -53,7 +53,7 @@ struct Asking {
     const std::string& (*problem)(const Designer&);
 };
 
-inline const Asking surroundings = {
+inline const Asking environment_map = {
     "click \"Light\"\nframes 2\nclick \"Environment\"\nframes 2\nclick \"Open picture\u2026\"\nframes 2",
     [](const Designer& d) { return d.environment.talking(); },
     [](const Designer& d) -> const std::string& { return d.environment.problem(); }};

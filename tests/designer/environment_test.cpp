@@ -1,4 +1,4 @@
-// Surroundings in the designer: chosen, dropped, turned by hand, and at rest once they are gathered.
+// The environment in the designer: chosen, dropped, turned by hand, and at rest once it is accumulated.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Rig : test::FolderRig {
-    Surroundings& surroundings() { return designer().scene.environment; }
+    SceneEnvironment& environment() { return designer().scene.environment; }
 };
 
 }  // namespace
@@ -21,15 +21,15 @@ struct Rig : test::FolderRig {
 TEST_CASE("environment: chosen from the list, it stands in for the lights until they are asked for") {
     Rig r;
     r.play("click \"Light\"\nclick \"Environment\"\nclick \"Furnace\"\nwait\nframes 2");
-    REQUIRE(r.surroundings().picture);
-    CHECK(r.surroundings().picture->name == "furnace");
+    REQUIRE(r.environment().picture);
+    CHECK(r.environment().picture->name == "furnace");
     CHECK(!lights_shine(r.designer().scene));
     CHECK(!r.stage.items().rectangle("Light polar angle"));
     r.play("click \"Keep scene lights\"\nframes 2");
     CHECK(lights_shine(r.designer().scene));
     CHECK(r.stage.items().rectangle("Light polar angle"));
     r.play("click \"Environment\"\nclick \"None\"\nframes 2");
-    CHECK(!r.surroundings().picture);
+    CHECK(!r.environment().picture);
 }
 
 TEST_CASE("environment: a drag on the object turns it where no light shines") {
@@ -37,11 +37,11 @@ TEST_CASE("environment: a drag on the object turns it where no light shines") {
     r.play("click \"Light\"\nclick \"Environment\"\nclick \"Octants\"\nwait");
     const LightSource before = r.designer().scene.light;
     r.play("drag \"Preview\":0.4,0.5 \"Preview\":0.6,0.5 4");
-    CHECK(r.surroundings().rotation < -5);
+    CHECK(r.environment().rotation < -5);
     CHECK(r.designer().scene.light == before);
 }
 
-TEST_CASE("environment: the window is in motion while its picture grows, and rests without surroundings") {
+TEST_CASE("environment: the window is in motion while its picture grows, and rests without an environment") {
     Rig r;
     r.play("wait");
     CHECK(!in_motion(r.designer()));
@@ -50,20 +50,20 @@ TEST_CASE("environment: the window is in motion while its picture grows, and res
     r.play("wait\nframes 20");
     CHECK(r.designer().preview.accumulating());
     CHECK(in_motion(r.designer()));
-    r.surroundings().picture.reset();
+    r.environment().picture.reset();
     r.play("wait\nframes 20");
     CHECK(!in_motion(r.designer()));
 }
 
-TEST_CASE("environment: a dropped picture may be the surroundings; what cannot be is said in words") {
+TEST_CASE("environment: a dropped picture may be the environment map; what cannot be is said in words") {
     Rig r;
     write_image(r.folder / "sky.exr", {16, 8}, std::vector<float>(16 * 8 * 3, 0.5f));
-    r.play(r.drop("sky.exr") + "click \"Surroundings\"\nwait\nframes 2");
-    REQUIRE(r.surroundings().picture);
-    CHECK(r.surroundings().picture->picture.width == 16);
+    r.play(r.drop("sky.exr") + "click \"Environment map\"\nwait\nframes 2");
+    REQUIRE(r.environment().picture);
+    CHECK(r.environment().picture->picture.width == 16);
     write_image(r.folder / "square.exr", {8, 8}, std::vector<float>(8 * 8 * 3, 0.5f));
-    r.play(r.drop("square.exr") + "click \"Surroundings\"\nwait\nframes 2");
-    CHECK(r.surroundings().picture->picture.width == 16);
+    r.play(r.drop("square.exr") + "click \"Environment map\"\nwait\nframes 2");
+    CHECK(r.environment().picture->picture.width == 16);
     CHECK(r.designer().environment.talking());
     r.play("click \"OK\"\nframes 2");
     CHECK(!r.designer().environment.talking());

@@ -15,11 +15,11 @@
 using namespace nacre;
 using nacre::test::ask;
 using nacre::test::Asking;
+using nacre::test::environment_map;
 using nacre::test::object;
 using nacre::test::plot;
 using nacre::test::read_all;
 using nacre::test::StandIn;
-using nacre::test::surroundings;
 using nacre::test::TemporaryFolder;
 using nacre::test::write_all;
 namespace fs = std::filesystem;
@@ -103,7 +103,8 @@ TEST_CASE("desktop's dialog: given up, and where it cannot be started the browse
     const StandIn dialog;
     for (const bool there : {true, false}) {
         Rig r(there ? dialog.program() : DialogProgram{Kind::zenity, folder / "missing"});
-        for (const char* script : {"key Ctrl+O\nframes 2", surroundings.script, object.script, plot.script}) {
+        for (const char* script :
+             {"key Ctrl+O\nframes 2", environment_map.script, object.script, plot.script}) {
             CAPTURE(script);
             r.play(script);
             r.play("frames 30");
@@ -115,7 +116,7 @@ TEST_CASE("desktop's dialog: given up, and where it cannot be started the browse
     }
 }
 
-TEST_CASE("desktop's dialog: zenity is asked for surroundings, an object and a plot's file") {
+TEST_CASE("desktop's dialog: zenity is asked for an environment map, an object and a plot's file") {
     const TemporaryFolder folder;
     write_image(folder / "sky.exr", {16, 8}, std::vector<float>(16 * 8 * 3, 0.5f));
     write_all(folder / "Mine.OBJ", triangle);
@@ -124,7 +125,7 @@ TEST_CASE("desktop's dialog: zenity is asked for surroundings, an object and a p
     const std::string here = "--filename=" + folder.path().string() + "/";
     const Words pictures = {
         "--file-selection", "--title=Open environment map",
-        "--file-filter=Picture by latitude and longitude | *.exr *.EXR *.hdr *.HDR *.tif *.TIF *.tiff *.TIFF "
+        "--file-filter=Lat-long picture | *.exr *.EXR *.hdr *.HDR *.tif *.TIF *.tiff *.TIFF "
         "*.pfm *.PFM *.ppm *.PPM *.png *.PNG *.jpg *.JPG *.jpeg *.JPEG *.webp *.WEBP *.tga *.TGA *.bmp *.BMP "
         "*.psd *.PSD *.dds *.DDS *.jp2 *.JP2 *.j2k *.J2K *.heic *.HEIC *.heif *.HEIF *.avif *.AVIF"};
     const Words objects = {"--file-selection", "--title=Open object",
@@ -154,22 +155,22 @@ TEST_CASE("desktop's dialog: zenity is asked for surroundings, an object and a p
     CHECK(r.designer().files.message() == "Saved p.svg");
     CHECK(folder.size() == 4);
 
-    ask(r, dialog, surroundings, folder / "sky.exr");
+    ask(r, dialog, environment_map, folder / "sky.exr");
     CHECK(dialog.arguments() == pictures);
     REQUIRE(r.scene().environment.picture);
     CHECK(r.scene().environment.picture->name == (folder / "sky.exr").string());
-    ask(r, dialog, surroundings, {});
+    ask(r, dialog, environment_map, {});
     CHECK(dialog.arguments() == beginning(pictures));
 }
 
-TEST_CASE("desktop's dialog: kdialog is asked for surroundings, an object and a plot's file") {
+TEST_CASE("desktop's dialog: kdialog is asked for an environment map, an object and a plot's file") {
     const TemporaryFolder folder;
     write_image(folder / "sky.exr", {16, 8}, std::vector<float>(16 * 8 * 3, 0.5f));
     write_all(folder / "Mine.OBJ", triangle);
     const StandIn dialog(Kind::kdialog);
     Rig r(dialog.program());
     r.play("click \"Plot masking\"\nwait");
-    ask(r, dialog, surroundings, folder / "sky.exr");
+    ask(r, dialog, environment_map, folder / "sky.exr");
     CHECK(dialog.arguments() == Words{"--title", "Open environment map", "--getopenfilename", "./",
                                       "*.exr *.hdr *.tif *.tiff *.pfm *.ppm *.png *.jpg *.jpeg *.webp *.tga "
                                       "*.bmp *.psd *.dds *.jp2 *.j2k *.heic *.heif *.avif"});
@@ -186,7 +187,7 @@ TEST_CASE("desktop's dialog: kdialog is asked for surroundings, an object and a 
 TEST_CASE("desktop's dialog: while it is open no key reaches the designer, and its answer draws a frame") {
     const StandIn dialog;
     Rig r(dialog.program());
-    for (const Asking& asking : {surroundings, object, plot}) {
+    for (const Asking& asking : {environment_map, object, plot}) {
         dialog.answer_no_more();
         r.play(asking.script);
         const ui::CanvasTool tool = r.canvas().tool;
@@ -215,7 +216,7 @@ TEST_CASE("desktop's dialog: a cancel changes nothing") {
     const Scene scene = r.scene();
     const Design design = r.document().design;
     const std::string message = r.designer().files.message();
-    for (const Asking& asking : {surroundings, object, plot}) ask(r, dialog, asking, {});
+    for (const Asking& asking : {environment_map, object, plot}) ask(r, dialog, asking, {});
     CHECK(r.scene() == scene);
     CHECK(r.document().design == design);
     CHECK(r.designer().files.message() == message);
@@ -238,13 +239,13 @@ TEST_CASE("desktop's dialog: a chosen file that cannot be used is told in one li
         r.play("frames 30\nclick \"OK\"\nframes 5");
         CHECK(!talking(r.designer()));
     };
-    tells(surroundings, folder / "notes.exr");
+    tells(environment_map, folder / "notes.exr");
     tells(object, folder / "bad.obj");
     tells(plot, folder / "nowhere/p.svg");
     CHECK(folder.size() == 2);
 }
 
-TEST_CASE("browser: shows the files of the question's endings, in small letters and capitals") {
+TEST_CASE("browser: shows the files of the question's extensions, in small letters and capitals") {
     const TemporaryFolder folder;
     for (const char* name : {"a.JPEG", "b.hdr", "c.obj", "D.OBJ", "e.csv", "f.svg", "g.txt", "h"})
         write_all(folder / name, "");
@@ -260,12 +261,12 @@ TEST_CASE("browser: shows the files of the question's endings, in small letters 
         }
         r.play("click \"Cancel\"\nframes 3");
     };
-    shows(surroundings, {"a.JPEG", "b.hdr"});
+    shows(environment_map, {"a.JPEG", "b.hdr"});
     shows(object, {"c.obj", "D.OBJ"});
     shows(plot, {"e.csv", "f.svg"});
 }
 
-TEST_CASE("browser: a name to save under gets the first ending where it has none of the question's") {
+TEST_CASE("browser: a name to save under gets the first extension where it has none of the question's") {
     const TemporaryFolder folder;
     Rig r;
     const auto save = [&](const std::string& script, const char* name) {

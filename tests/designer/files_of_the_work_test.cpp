@@ -52,7 +52,7 @@ TEST_CASE("an output is none of the files that the work came from, whatever it i
     r.play("frames 30\nkey Enter\nframes 3");
     CHECK(r.designer().plots.saving.problem().find("mine.nacre") != std::string::npos);
     r.play("frames 30\nkey Enter\nframes 3");
-    // GLSL over the design by another name, and the preview over the surroundings.
+    // GLSL over the design by another name, and the preview over the environment map.
     for (const auto& [format, name, input] :
          {std::tuple(1u, "soft.glsl", "mine.nacre"), std::tuple(3u, "sky.exr", "sky.exr")}) {
         r.play("key Ctrl+E\nframes 3");

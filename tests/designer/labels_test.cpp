@@ -16,7 +16,7 @@ constexpr const char* odd_names[] = {"a##b", "y###", "%s%n", "100%"};
 
 }  // namespace
 
-TEST_CASE("labels: a design, its layer, surroundings and an object of odd names") {
+TEST_CASE("labels: a design, its layer, an environment map and an object of odd names") {
     for (const std::string name : odd_names) {
         CAPTURE(name);
         const TemporaryFolder folder;
@@ -34,7 +34,7 @@ TEST_CASE("labels: a design, its layer, surroundings and an object of odd names"
         CHECK(r.designer().files.message() == "Opened " + name + ".nacre");
         write_image(folder / (name + ".exr"), {16, 8}, std::vector<float>(16 * 8 * 3, 0.5f));
         drop(name + ".exr");
-        r.play("click \"Surroundings\"\nwait\nclick \"Light\"\nclick \"Environment\"\nframes 3");
+        r.play("click \"Environment map\"\nwait\nclick \"Light\"\nclick \"Environment\"\nframes 3");
         CHECK(has(name + ".exr"));
         r.play(
             "key Escape\nframes 3\nclick \"Compare\"\nclick \"Take snapshot\"\nframes 3\nclick "

@@ -77,12 +77,12 @@ TEST_CASE("picture notes: a design's pictures tell theirs when it opens, until t
     CHECK(!r.shows(large_note));
 }
 
-TEST_CASE("picture notes: surroundings tell theirs below their choice") {
+TEST_CASE("picture notes: an environment map tells its own below its choice") {
     NotesRig r;
     std::vector<float> rgb = grey(16 * 8);
     rgb[7] = -0.5f;
     write_image(r.folder / "sky.exr", {16, 8}, rgb);
-    r.play(r.drop("sky.exr") + "click \"Surroundings\"\nwait\nclick \"Light\"\nframes 3");
+    r.play(r.drop("sky.exr") + "click \"Environment map\"\nwait\nclick \"Light\"\nframes 3");
     const auto note = r.stage.items().rectangle("1 of 128 pixels are below 0, down to -0.5, and count as 0");
     REQUIRE(note);
     CHECK(note->y > r.stage.items().rectangle("Environment")->w);

@@ -37,8 +37,8 @@ std::vector<glm::dvec3> integrals(const ViewedPoints& points, const std::shared_
     return values;
 }
 
-std::vector<glm::dvec3> gathered(Preview& preview, const ViewedPoints& points,
-                                 const std::shared_ptr<const Environment>& environment, int samples) {
+std::vector<glm::dvec3> accumulated(Preview& preview, const ViewedPoints& points,
+                                    const std::shared_ptr<const Environment>& environment, int samples) {
     Scene scene = points.scene;
     scene.environment.picture = environment;
     const std::vector<float> texels = preview.picture(scene, {points.side, points.side}, 1, true, samples);

@@ -26,8 +26,8 @@ std::vector<glm::dvec3> integrals(const ViewedPoints& points, const std::shared_
                                   const std::shared_ptr<const Environment>& environment, int fineness);
 
 // The same in a picture of so many samples, which shows `tables`.
-std::vector<glm::dvec3> gathered(Preview& preview, const ViewedPoints& points,
-                                 const std::shared_ptr<const Environment>& environment, int samples);
+std::vector<glm::dvec3> accumulated(Preview& preview, const ViewedPoints& points,
+                                    const std::shared_ptr<const Environment>& environment, int samples);
 
 // Root mean square difference over points and colours, in parts of the mean of `exact`.
 double relative_error(const std::vector<glm::dvec3>& values, const std::vector<glm::dvec3>& exact);

@@ -59,7 +59,7 @@ TEST_CASE("in a furnace every preset sends out its own albedo") {
             const dvec3 k(frame[0].z, frame[1].z, frame[2].z);
             albedo.push_back(tables->shading.total_albedo(tables->shading.direction(k)));
         }
-        CHECK(relative_error(gathered(preview, points, furnace, 256), albedo) < 0.02);
+        CHECK(relative_error(accumulated(preview, points, furnace, 256), albedo) < 0.02);
         ++presets;
     }
     CHECK(presets >= 14);
@@ -77,15 +77,15 @@ TEST_CASE("the picture converges to core's integral") {
             CAPTURE(around);
             const auto light = environment(around, 256);
             const auto exact = integrals(points, tables, light, 2);
-            const double coarse = relative_error(gathered(preview, points, light, 64), exact);
-            const double fine = relative_error(gathered(preview, points, light, 1024), exact);
+            const double coarse = relative_error(accumulated(preview, points, light, 64), exact);
+            const double fine = relative_error(accumulated(preview, points, light, 1024), exact);
             CHECK(fine < 0.01);
             CHECK(fine < 0.5 * coarse);
         }
     }
 }
 
-TEST_CASE("a mirror shows each side of the surroundings on its own side") {
+TEST_CASE("a mirror shows each side of the environment on its own side") {
     const auto context = make_offscreen_context({16, 16});
     Design mirror = design_of(BeckmannLobe{0.01, 0.01});
     mirror.fresnel = NoFresnel{};
@@ -95,7 +95,7 @@ TEST_CASE("a mirror shows each side of the surroundings on its own side") {
     const ViewedPoints points(preview, 24, 60);
     for (int axis = 0; axis < 3; ++axis) {
         CAPTURE(axis);
-        const auto values = gathered(preview, points, linear_environment(axis), 64);
+        const auto values = accumulated(preview, points, linear_environment(axis), 64);
         for (std::size_t i = 0; i < values.size(); ++i) {
             const glm::dvec3 n = points.frames[i][2];
             if (n.z < 0.4) continue;
@@ -133,7 +133,7 @@ TEST_CASE("a picture grows by parts to the very same picture") {
     Scene scene;
     scene.environment.picture = environment("studio", 256);
     preview.begin(scene, {40, 40}, 2, 64);
-    CHECK(preview.progress() == GatherProgress{0, 64});
+    CHECK(preview.progress() == SampleProgress{0, 64});
     int steps = 0, last = 0;
     while (preview.progress().samples < 64) {
         preview.refine(1e-4);
@@ -143,10 +143,10 @@ TEST_CASE("a picture grows by parts to the very same picture") {
     }
     CHECK(steps > 1);
     preview.refine(1);
-    CHECK(preview.progress() == GatherProgress{64, 64});
+    CHECK(preview.progress() == SampleProgress{64, 64});
     scene.environment = {};
     preview.draw(scene, {40, 40}, 2);
-    CHECK(preview.progress() == GatherProgress{});
+    CHECK(preview.progress() == SampleProgress{});
 }
 
 TEST_SUITE_END();

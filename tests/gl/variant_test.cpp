@@ -101,10 +101,10 @@ TEST_CASE("glslangValidator accepts every variant") {
     int index = 0;
     for (const ShaderVariant& variant : all_kinds()) {
         shaders[fmt::format("surface-{}.frag", index)] = fragment_shader(variant, "surface.frag");
-        ShaderVariant surrounded = variant;
-        surrounded.surroundings = true;
-        shaders[fmt::format("surrounded-{}.frag", index)] = fragment_shader(surrounded, "surface.frag");
-        shaders[fmt::format("gather-{}.frag", index)] = fragment_shader(variant, "gather.frag");
+        ShaderVariant before = variant;
+        before.environment_behind = true;
+        shaders[fmt::format("environment-{}.frag", index)] = fragment_shader(before, "surface.frag");
+        shaders[fmt::format("accumulate-{}.frag", index)] = fragment_shader(variant, "accumulate.frag");
         shaders[fmt::format("parity-{}.frag", index++)] = fragment_shader(variant, "parity.frag");
     }
     CHECK(validate(shaders) == "");

@@ -29,7 +29,7 @@ constexpr int links_max = 40;  // as many as Linux follows
 // Where the bytes go. Devices and pipes are refused, since a rename would replace the device itself.
 fs::path final_target(const fs::path& file) {
     std::error_code error;
-    const fs::path target = link_target(file);
+    fs::path target = link_target(file);
     const fs::file_status status = fs::status(target, error);
     if (status.type() == fs::file_type::none) fail(file, error.message());
     if (fs::is_directory(status) || !target.has_filename()) fail(file, "it is a directory");

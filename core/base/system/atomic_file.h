@@ -9,8 +9,8 @@
 
 namespace nacre {
 
-// The file that a name stands for, there or not: the end of a chain of symbolic links. A UserError where the
-// system does not tell.
+// The file that a name refers to, existing or not: the end of a chain of symbolic
+// links. A UserError on failure.
 std::filesystem::path link_target(const std::filesystem::path& file);
 
 // A target that exists keeps its permissions; a symbolic link's target is replaced, not the link.
@@ -25,7 +25,7 @@ struct FileToWrite {
 
 // Files that belong together, the last describing the others. All are on the disk before the first gets its
 // name; an error leaves the old ones. The old last file goes before any other is replaced, and the new one
-// comes after all: even when the program is killed it never stands beside files that it does not describe.
+// comes after all: even when the program is killed it is never beside files that it does not describe.
 void write_files_atomically(const std::vector<FileToWrite>& files);
 
 // As one file, under the first free name of STEM-001EXTENSION, STEM-002EXTENSION, ... in the folder; never in

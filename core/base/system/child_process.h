@@ -24,7 +24,7 @@ class ChildProcess {
         std::optional<int> code;  // none where it did not start or a signal ended it
         std::string output;       // what it wrote to standard output, up to 64 KiB and a little more
     };
-    // Nothing while it runs. Never waits; once it has ended it says so one time.
+    // Nothing while it runs. Never waits; reports the end once.
     std::optional<Ended> poll();
 
   private:

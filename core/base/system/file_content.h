@@ -1,4 +1,4 @@
-// What a file holds, told by its bytes: a change is found whatever the file's times say.
+// The content of a file as size and digest: finds a change even where the file's times do not show it.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct FileContent {
 
 FileContent content_of(std::string_view bytes);
 
-// Nothing where there is no regular file that can be read.
+// Nothing unless it is a regular file that can be read.
 std::optional<FileContent> content_of_file(const std::filesystem::path& file);
 
 // "4096-00ff...": the text reads back as the same content; nothing for any other text.

@@ -30,7 +30,7 @@ Interrupt::Interrupt(std::string last_words) : last_words_(std::move(last_words)
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (!ignored(signal)) sigaddset(&signals_, signal);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-    watcher_ = std::jthread([this](std::stop_token closing) { watch(std::move(closing)); });
+    watcher_ = std::jthread([this](const std::stop_token& closing) { watch(closing); });
 }
 
 Interrupt::~Interrupt() {
@@ -39,7 +39,7 @@ Interrupt::~Interrupt() {
     pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
 }
 
-void Interrupt::watch(std::stop_token closing) {
+void Interrupt::watch(const std::stop_token& closing) {
     while (sigtimedwait(&signals_, nullptr, &between_looks) < 0)
         if (closing.stop_requested()) return;
     source_.request_stop();

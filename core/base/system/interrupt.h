@@ -1,4 +1,4 @@
-// Ctrl+C, SIGTERM and a terminal that has gone (SIGHUP).
+// Ctrl+C, SIGTERM and a closed terminal (SIGHUP).
 #pragma once
 
 #include <csignal>
@@ -16,11 +16,12 @@ struct Stopped : std::runtime_error {
 };
 
 // The three signals become a request to stop. Work that has not answered it within a fifth of a second (a
-// driver that draws, a reader that decodes) is ended where it stands, but never while files are being
-// written. Only one at a time, made before any other thread, since threads inherit that the signals wait.
+// driver that draws, a reader that decodes) is killed, but never while files are
+// being written. Only one at a time, made before any other thread, since threads inherit that the signals
+// wait.
 class Interrupt {
   public:
-    // `last_words`: what standard error gets when work is ended where it stands.
+    // `last_words`: what is written to standard error when work is killed.
     explicit Interrupt(std::string last_words);
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;
@@ -35,7 +36,7 @@ class Interrupt {
     void write_files(const std::function<void()>& write);
 
   private:
-    void watch(std::stop_token closing);
+    void watch(const std::stop_token& closing);
 
     sigset_t signals_{};
     const std::string last_words_;

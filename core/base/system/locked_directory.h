@@ -1,5 +1,5 @@
-// A folder that belongs to one process for as long as it lives, however it ends. Beside it may lie whatever
-// the user put there: what this program did not write itself is neither followed nor removed.
+// A folder that belongs to one process while that lives, however it ends.
+// Files that this program did not write are neither followed nor removed.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ inline constexpr const char* autosave_name = "unsaved.nacre";  // the one file t
 // Holds a lock (flock) on a file in the folder, which the system frees when the process is gone.
 class LockedDirectory {
   public:
-    // The folder's owner from now on, unless somebody else is it or its lock is none of ours.
+    // Takes ownership of the folder, unless another process has it or its lock is not one of ours.
     static std::optional<LockedDirectory> own(const std::filesystem::path& folder);
 
     LockedDirectory(LockedDirectory&& other) noexcept;

@@ -5,7 +5,7 @@
 
 namespace nacre {
 
-// A file that lies in memory and goes with the object, for what reads nothing but files. A UserError of
+// A file in memory, removed with the object, for libraries that read only files. A UserError of
 // `name` where the memory does not suffice.
 class MemoryFile {
   public:

@@ -6,8 +6,8 @@
 
 namespace nacre {
 
-// Made, with those it lies in, where it is not there; a UserError where it cannot be. What was made goes
-// again with the object, unless something has been written there.
+// Created with its parents where missing; a UserError on failure. The destructor
+// removes what was created if it is still empty.
 class OutputFolder {
   public:
     explicit OutputFolder(const std::filesystem::path& folder);

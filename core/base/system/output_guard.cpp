@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a name stands for. Of a file that is not there: its folder and its name in it.
+// The identity of a file; of a missing one, its folder and its name there.
 struct Identity {
     dev_t device = 0;
     ino_t number = 0;
@@ -62,7 +62,7 @@ bool is_listed(const fs::path& folder, const std::string& name) {
     return false;
 }
 
-// What a file in the folder tells: whether it is found under its name with the case swapped, though no such
+// Tested by a file in the folder: whether it is found under its name with the case swapped, though no such
 // name is listed, as one of a second link is. Nothing where no name in it has letters.
 std::optional<bool> finds_swapped(const fs::path& folder) {
     std::error_code error;

@@ -6,7 +6,7 @@
 
 namespace nacre {
 
-// To be asked before anything is written. Files are told apart by what they are and not by their names: links
+// Call this before anything is written. Files are compared by identity and not by name: links
 // of both kinds, `..` and, where a folder ignores it, the case of letters lead to the same file. A UserError
 // about the output that also names what it would overwrite. An input that is no file is none:
 // not there, a name of something built in, a pipe.
@@ -16,7 +16,7 @@ void check_outputs(const std::vector<std::filesystem::path>& outputs,
 // Whether the folder takes "A" and "a" for one name; of one that is not there, the folder it would lie in.
 bool ignores_case(const std::filesystem::path& folder);
 
-// The name as such a folder compares it: of two names that differ in the case of letters alone, the same.
+// The name as such a folder compares it, with case folded.
 std::string without_case(const std::string& utf8);
 
 }  // namespace nacre

@@ -4,8 +4,8 @@
 
 namespace nacre {
 
-// Makes the folder, with those it lies in, for its user alone; one that is there stays as it is. What fails
-// is a UserError.
+// Creates the folder with its parents, accessible to its user alone; an existing one stays as it is.
+// A UserError on failure.
 void make_private_folder(const std::filesystem::path& folder);
 
 }  // namespace nacre

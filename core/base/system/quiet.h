@@ -2,9 +2,9 @@
 
 namespace nacre {
 
-// While it lives, nothing that this thread writes to the C library's `stderr` appears: decoders print what
-// they dislike, which is told by an error of ours. Other threads, and what is written to the descriptor or to
-// std::cerr, are not touched.
+// While it lives, what this thread writes to the C library's `stderr` is discarded: decoders print their
+// complaints there, and we report an error of our own. Other threads, and what is written to the descriptor
+// or to std::cerr, are not touched.
 class Quiet {
   public:
     Quiet();

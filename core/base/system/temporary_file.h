@@ -1,4 +1,4 @@
-// A file on its way to a name.
+// A temporary file that becomes a file's new content.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ class TemporaryFile {
     const std::filesystem::path& target() const { return target_; }
     const std::filesystem::path& path() const { return path_; }
 
-    // The name is no longer its own: it has been renamed.
+    // It has been renamed, so there is nothing to remove.
     void release() { path_.clear(); }
 
   private:
@@ -36,10 +36,10 @@ class TemporaryFile {
     bool replaces_ = false;
 };
 
-// A name for something in `folder` that stays only while this process writes there.
+// A name for a temporary file of this process in `folder`.
 std::filesystem::path temporary_name(const std::filesystem::path& folder);
 
-// Whether a file of this name is one of these.
+// Whether the name is that of such a file.
 bool is_temporary_name(std::string_view name);
 
 // Removes the temporary files there whose processes have ended. Of other files none, and none of a file

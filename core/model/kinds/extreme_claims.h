@@ -11,7 +11,7 @@ struct ExtremeClaims {
     double area = 1.5e-3;
     // The same of R.
     double albedo = 1e-2;
-    // Part of what the bake refuses it with; empty: it must be sound.
+    // Part of what the bake refuses it with; empty: it must bake and be finite and non-negative.
     const char* refusal = "";
 };
 
@@ -28,15 +28,16 @@ ExtremeClaims extreme_claims(const Variant& value) {
         value);
 }
 
-// Of g, where p leans.
-inline constexpr double leaning_area_claim = 4e-3;
+// Of g, where p is tilted.
+inline constexpr double tilted_area_claim = 4e-3;
 
 // Of R, where it turns within the last cell before the horizon or within a thousandth of a degree of azimuth.
 inline constexpr double layer_albedo_claim = 0.05;
 
-// What the bake may claim with a masking model where p leans, on the side where it turns away: under clamp R
-// falls to 0 closer to the horizon than a cell, from as much as it is there; without, it has no bound.
-inline ExtremeClaims weakly_correlated_claims(bool clamp) { return {leaning_area_claim, clamp ? 0.15 : 0.9}; }
-inline ExtremeClaims strongly_correlated_claims(bool clamp) { return {leaning_area_claim, clamp ? 1 : 1.5}; }
+// What the bake may claim with a masking model where p is tilted, on the side where it turns away: under
+// clamp R falls to 0 closer to the horizon than a cell, from as much as it is there; without, it has no
+// bound.
+inline ExtremeClaims weakly_correlated_claims(bool clamp) { return {tilted_area_claim, clamp ? 0.15 : 0.9}; }
+inline ExtremeClaims strongly_correlated_claims(bool clamp) { return {tilted_area_claim, clamp ? 1 : 1.5}; }
 
 }  // namespace nacre

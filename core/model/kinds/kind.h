@@ -9,7 +9,7 @@
 // may have
 //
 //   fault()    the rule between its parameters that is broken
-//   singular() names and values that are extreme though no bound tells it, for core/study/kind_extremes.h
+//   singular() names and values that are extreme but lie within the bounds, for core/study/kind_extremes.h
 //   extreme_claims() what is expected of a design with it, where that is more than usual (extreme_claims.h)
 #pragma once
 

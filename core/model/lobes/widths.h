@@ -11,7 +11,8 @@
 namespace nacre {
 
 // Which members of a lobe are its widths along x and y, as slopes; the same member twice for a lobe with one
-// width, none for a lobe that has none. An inverse width is that of 1/slope: the lobe gathers at its horizon.
+// width, none for a lobe that has none. An inverse width is that of 1/slope: the lobe is concentrated at its
+// horizon.
 template <class Lobe>
 struct WidthMembers {
     double Lobe::*x = nullptr;
@@ -19,7 +20,7 @@ struct WidthMembers {
     bool inverse = false;
 };
 
-// What a lobe without widths takes to have: a polished surface's.
+// The width that a lobe without widths converts to: a polished surface's.
 inline constexpr double default_width = 0.2;
 
 inline double finite_width(double width) { return std::isinf(width) ? 1 : width; }

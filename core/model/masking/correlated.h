@@ -40,7 +40,7 @@ struct CorrelatedMasking {
     }
 
     double shader_width() const { return width; }
-    ExtremeClaims leaning_claims(bool clamp) const {
+    ExtremeClaims tilted_claims(bool clamp) const {
         return width > 90 ? strongly_correlated_claims(clamp) : weakly_correlated_claims(clamp);
     }
 };

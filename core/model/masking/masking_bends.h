@@ -2,11 +2,11 @@
 
 namespace nacre {
 
-// Where V bends besides at the horizon of k2, so that integration must cut there.
+// Where V has kinks besides the horizon of k2, at which integration must be split.
 enum class MaskingBends {
     none,
     horizon,  // in a thin layer beside the horizon
-    azimuth   // there, and where k1 and k2 stand in one plane with n
+    azimuth   // there, and where k1 and k2 are in one plane with n
 };
 
 }  // namespace nacre

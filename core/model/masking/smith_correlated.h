@@ -25,7 +25,7 @@ struct SmithCorrelatedMasking {
     static constexpr auto parameters() { return std::tuple{}; }
 
     double shader_width() const { return 1; }  // read by no one
-    ExtremeClaims leaning_claims(bool clamp) const { return strongly_correlated_claims(clamp); }
+    ExtremeClaims tilted_claims(bool clamp) const { return strongly_correlated_claims(clamp); }
 };
 
 }  // namespace nacre

@@ -22,7 +22,7 @@ void icon(const IconPen& pen) { pen.line({{0.20f, 0.80f}, {0.80f, 0.20f}}); }
 const PaintToolInfo line_tool{.face = {.name = "Line",
                                        .key = 'L',
                                        .about = "A line from press to release.",
-                                       .more = "As broad and as hard as the brush.",
+                                       .more = "As wide and as hard as the brush.",
                                        .icon = icon,
                                        .begins_group = true},
                               .work = distance};

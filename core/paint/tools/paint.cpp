@@ -21,7 +21,7 @@ const PaintToolInfo paint_tool{
     .face = {.name = "Paint",
              .key = 'B',
              .about = "Adds facets, here or on the object.",
-             .more = "Facets that lean up shine below the highlight's middle, those that lean left to the "
+             .more = "Facets tilted up shine below the highlight's middle, those tilted left to the "
                      "right of it: on the object the brush paints where you see it. On a lobe that is not "
                      "painted a new painted layer begins.",
              .icon = icon,

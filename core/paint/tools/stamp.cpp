@@ -29,7 +29,7 @@ const PaintToolInfo stamp_tool{
     .face =
         {.name = "Stamp",
          .key = 'T',
-         .about = "Stamps a picture, as broad as the brush.",
+         .about = "Stamps a picture, as wide as the brush.",
          .more =
              "It shines the way up that it is shown. White paints. A picture that is dropped on the window "
              "can become one.",

@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-// What the tables tell of R at one direction: of the material, and for f0 = 0 and f0 = 1.
+// R of the tables at one direction: of the material, and for f0 = 0 and f0 = 1.
 struct AlbedoAt {
     dvec3 material;
     double zero, one;
@@ -84,7 +84,7 @@ Plot make(const Tables& tables, const PlotSettings& settings) {
 const PlotInfo albedo_plot{
     .label = "Albedo R",
     .about =
-        "How much of the light from one direction the highlight sends back in all: R(k), the integral of the "
+        "How much of the light from one direction the highlight reflects in all: R(k), the integral of the "
         "specular term (eq. 29). Shown for the material and for facets of f0 = 0 and 1. At 1 no light is "
         "lost.",
     .needs_albedo = true,

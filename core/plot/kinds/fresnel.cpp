@@ -26,7 +26,7 @@ Plot make(const Tables& tables, const PlotSettings& settings) {
 }  // namespace
 
 const PlotInfo fresnel_plot{.label = "Fresnel F",
-                            .about = "How much light one facet reflects, over the angle at which it is met.",
+                            .about = "How much light one facet reflects, over the angle of incidence.",
                             .make = make};
 
 }  // namespace nacre

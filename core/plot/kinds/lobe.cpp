@@ -52,7 +52,7 @@ Plot make(const Tables& tables, const PlotSettings& settings) {
 const PlotInfo lobe_plot{
     .label = "Lobe",
     .about =
-        "What leaves in the plane of incidence when light falls in along k1. Drag in the plot to move k1.",
+        "Light reflected within the plane of incidence, for light along k1. Drag in the plot to move k1.",
     .has_term = true,
     .angles = incidence_angles,
     .make = make};

@@ -71,7 +71,7 @@ Plot make(const Tables& tables, const PlotSettings& settings) {
 const PlotInfo lobe3d_plot{
     .label = "3-D lobe",
     .about =
-        "What leaves in every direction when light falls in along k1. Drag to turn it, the wheel zooms, a "
+        "Light reflected in every direction, for light along k1. Drag to turn it, the wheel zooms, a "
         "double click shows all.",
     .has_term = true,
     .angles = incidence_angles,

@@ -26,7 +26,7 @@ Plot make(const Tables& tables, const PlotSettings& settings) {
 const PlotInfo masking_plot{
     .label = "Masking P",
     .about =
-        "How much of the facets turned to a direction are seen from it, P(k) = (k.n) N / g(k) (eq. 25). "
+        "The share of the facets facing a direction that is visible from it, P(k) = (k.n) N / g(k) (eq. 25). "
         "Where it falls the surface shadows itself: the rim grows darker.",
     .make = make};
 

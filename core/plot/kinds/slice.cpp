@@ -20,13 +20,13 @@ constexpr PlotAngle angles[] = {
      .label = "\u03c6 of h",
      .low = -180,
      .high = 180,
-     .about = "Azimuth of the half vector: along which it leans from the normal."},
+     .about = "Azimuth of the half vector: toward which it is tilted from the normal."},
     {.member = &PlotSettings::turn,
      .name = "turn",
      .label = "\u03c6d",
      .low = -180,
      .high = 180,
-     .about = "Azimuth of the light about the half vector: 90 is across its lean, where light and eye stand "
+     .about = "Azimuth of the light about the half vector: 90 is across its tilt, where light and eye stand "
               "above the horizon at every angle."}};
 
 Plot make(const Tables& tables, const PlotSettings& settings) {

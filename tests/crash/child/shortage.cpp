@@ -87,8 +87,8 @@ void without_pictures(const fs::path& folder) {
         hand.told(use, [&] { return designer.pictures.problem(); });
         hand.answer();
     }
-    hand.play(drop + "click \"Surroundings\"\nframes 3");
-    hand.told("surroundings", [&] { return designer.environment.problem(); });
+    hand.play(drop + "click \"Environment map\"\nframes 3");
+    hand.told("environment", [&] { return designer.environment.problem(); });
     hand.answer();
     take_file(designer, folder / "pictured.nacre");
     hand.told("design", [&] { return designer.files.problem(); });

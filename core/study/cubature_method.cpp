@@ -28,19 +28,20 @@ StoredTable make_table(const Design& design, double tolerance, Wanted wanted, co
 
 }  // namespace
 
-Way cubature_way(const Design& design) {
-    Way way{.kind = WayKind::cubature,
-            .name = "200-point grid, adaptive cubature",
-            .about =
-                "the paper's 10 x 20 grid in theta and phi, bilinear; every node by adaptive Gauss-Kronrod "
-                "integration in the lobes' own coordinates to an absolute tolerance; the texels of a picture "
-                "are summed"};
+Method cubature_method(const Design& design) {
+    Method method{
+        .kind = MethodKind::cubature,
+        .name = "200-point grid, adaptive cubature",
+        .about =
+            "the paper's 10 x 20 grid in theta and phi, bilinear; every node by adaptive Gauss-Kronrod "
+            "integration in the lobes' own coordinates to an absolute tolerance; the texels of a picture "
+            "are summed"};
     for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5})
-        way.settings.push_back({fmt::format("tolerance {:.0e}", tolerance),
-                                [&design, tolerance](Wanted wanted, const std::stop_token& stop) {
-                                    return make_table(design, tolerance, wanted, stop);
-                                }});
-    return way;
+        method.settings.push_back({fmt::format("tolerance {:.0e}", tolerance),
+                                   [&design, tolerance](Wanted wanted, const std::stop_token& stop) {
+                                       return make_table(design, tolerance, wanted, stop);
+                                   }});
+    return method;
 }
 
 }  // namespace nacre

@@ -2,7 +2,7 @@
 
 #include "core/bake/symmetry.h"
 #include "core/study/harmonic_area.h"
-#include "core/study/way.h"
+#include "core/study/method.h"
 
 namespace nacre {
 namespace {
@@ -18,9 +18,9 @@ StoredTable make_table(const Design& design, int degree, bool round, const std::
 
 }  // namespace
 
-Way harmonic_way(const Design& design, const std::stop_token& stop) {
-    Way way{
-        .kind = WayKind::harmonics,
+Method harmonic_method(const Design& design, const std::stop_token& stop) {
+    Method method{
+        .kind = MethodKind::harmonics,
         .name = "spherical harmonics",
         .about =
             "g as harmonics of p, each times the clamped cosine's factor (Ramamoorthi & Hanrahan 2001): a "
@@ -30,22 +30,22 @@ Way harmonic_way(const Design& design, const std::stop_token& stop) {
     const FacetDistribution distribution(design.distribution);
     const double left_over = HarmonicArea(distribution, degree_limit, round, stop).upper_half();
     if (left_over > most_left_over) {
-        way.left_out =
+        method.left_out =
             fmt::format("p is too narrow: degrees {} to {} still hold {:.1e} of g's norm, more than {:.0e}",
                         degree_limit / 2 + 1, degree_limit, left_over, most_left_over);
-        return way;
+        return method;
     }
     for (int degree = 2; degree <= degree_limit; degree *= 2)
-        way.settings.push_back({fmt::format("degree {}", degree),
-                                [&design, degree, round](Wanted, const std::stop_token& inner) {
-                                    return make_table(design, degree, round, inner);
-                                }});
-    return way;
+        method.settings.push_back({fmt::format("degree {}", degree),
+                                   [&design, degree, round](Wanted, const std::stop_token& inner) {
+                                       return make_table(design, degree, round, inner);
+                                   }});
+    return method;
 }
 
-std::vector<Way> all_ways(const Design& design, const std::stop_token& stop) {
-    return {monte_carlo_way(design), cubature_way(design), plain_grid_way(design),
-            stretched_way(design),   bake_way(design),     harmonic_way(design, stop)};
+std::vector<Method> all_methods(const Design& design, const std::stop_token& stop) {
+    return {monte_carlo_method(design), cubature_method(design), plain_grid_method(design),
+            stretched_method(design),   bake_method(design),     harmonic_method(design, stop)};
 }
 
 }  // namespace nacre

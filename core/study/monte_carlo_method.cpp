@@ -62,19 +62,19 @@ StoredTable make_table(const Design& design, int samples, Wanted wanted, const s
 
 }  // namespace
 
-Way monte_carlo_way(const Design& design) {
-    Way way{
-        .kind = WayKind::monte_carlo,
+Method monte_carlo_method(const Design& design) {
+    Method method{
+        .kind = MethodKind::monte_carlo,
         .name = "200-point grid, Monte Carlo",
         .about =
             "the paper's 10 x 20 grid in theta and phi, bilinear; every node from so many samples, facets "
             "drawn by the cosine about k for g, directions by the cosine about n for R"};
     for (int samples = 16; samples <= 1 << 18; samples *= 4)
-        way.settings.push_back({fmt::format("{} samples a node", samples),
-                                [&design, samples](Wanted wanted, const std::stop_token& stop) {
-                                    return make_table(design, samples, wanted, stop);
-                                }});
-    return way;
+        method.settings.push_back({fmt::format("{} samples a node", samples),
+                                   [&design, samples](Wanted wanted, const std::stop_token& stop) {
+                                       return make_table(design, samples, wanted, stop);
+                                   }});
+    return method;
 }
 
 }  // namespace nacre

@@ -1,4 +1,4 @@
-// Each way of computing and storing g and R against the truth.
+// Each method of computing and storing g and R against the truth.
 #include <doctest/doctest.h>
 
 #include <boost/math/special_functions/spherical_harmonic.hpp>
@@ -7,8 +7,8 @@
 
 #include "core/bake/bake.h"
 #include "core/study/harmonic_area.h"
+#include "core/study/method.h"
 #include "core/study/plain_grid.h"
-#include "core/study/way.h"
 #include "core/verify/facet_integral.h"
 #include "core/verify/reference.h"
 #include "core/verify/table_error.h"
@@ -27,7 +27,7 @@ struct Errors {
     double area = 0, albedo = 0;
 };
 
-Errors errors_of(const Design& design, const WaySetting& setting, Wanted wanted) {
+Errors errors_of(const Design& design, const MethodSetting& setting, Wanted wanted) {
     const StoredTable table = setting.make(wanted, {});
     const Reference reference(design);
     const auto tables = bake(design, {.quality = Quality::draft});
@@ -71,14 +71,14 @@ TEST_CASE("a plain grid gives back what is linear in theta and phi, in every sym
 
 TEST_CASE("Monte Carlo comes closer with more samples, down to what the grid interpolates") {
     const Design design = design_of(GgxLobe{0.5, 0.5});
-    const Way way = monte_carlo_way(design);
-    const Errors few = errors_of(design, way.settings[1], Wanted::area_and_albedo);
-    const Errors many = errors_of(design, way.settings[6], Wanted::area_and_albedo);
+    const Method method = monte_carlo_method(design);
+    const Errors few = errors_of(design, method.settings[1], Wanted::area_and_albedo);
+    const Errors many = errors_of(design, method.settings[6], Wanted::area_and_albedo);
     CHECK(many.area < 0.2 * few.area);
     CHECK(many.albedo < 0.2 * few.albedo);
     // A node of g is the mean of pi p(h), whose standard deviation is about its own mean here: 65536 samples
     // leave 0.4 %, and the grid adds its own.
-    const double grid = errors_of(design, plain_grid_way(design).settings[0], Wanted::area).area;
+    const double grid = errors_of(design, plain_grid_method(design).settings[0], Wanted::area).area;
     CHECK(many.area < grid + 0.02);
 }
 
@@ -90,46 +90,48 @@ TEST_CASE("cubature fills the 200-point grid with the exact g") {
             for (const dvec3 k : probe_directions(6))
                 CHECK(std::fabs(area(k, {}) - distribution.area(k).g) < tolerance);
         }
-        const Errors grid = errors_of(design, plain_grid_way(design).settings[0], Wanted::area);
-        const Errors cubature = errors_of(design, cubature_way(design).settings[3], Wanted::area);
+        const Errors grid = errors_of(design, plain_grid_method(design).settings[0], Wanted::area);
+        const Errors cubature = errors_of(design, cubature_method(design).settings[3], Wanted::area);
         CHECK(cubature.area == doctest::Approx(grid.area).epsilon(0.02));
     }
 }
 
 TEST_CASE("plain and stretched grids of twice the nodes have a quarter of the error") {
     const Design design = brushed();
-    for (const Way& way : {plain_grid_way(design), stretched_way(design)}) {
-        CAPTURE(way.name);
-        const double first = errors_of(design, way.settings[1], Wanted::area).area;
-        const double second = errors_of(design, way.settings[3], Wanted::area).area;
+    for (const Method& method : {plain_grid_method(design), stretched_method(design)}) {
+        CAPTURE(method.name);
+        const double first = errors_of(design, method.settings[1], Wanted::area).area;
+        const double second = errors_of(design, method.settings[3], Wanted::area).area;
         CHECK(second < first / 6);
-        const double coarse = errors_of(design, way.settings[0], Wanted::area_and_albedo).albedo;
-        const double fine = errors_of(design, way.settings[2], Wanted::area_and_albedo).albedo;
+        const double coarse = errors_of(design, method.settings[0], Wanted::area_and_albedo).albedo;
+        const double fine = errors_of(design, method.settings[2], Wanted::area_and_albedo).albedo;
         CHECK(fine < coarse / 2);
     }
 }
 
 TEST_CASE("the stretched tables' error does not depend on p's width, that of the plain grid does") {
     const Design wide = design_of(GgxLobe{0.5, 0.5}), narrow = design_of(GgxLobe{0.005, 0.005});
-    auto error = [](const Design& design, const Way& way, std::size_t setting) {
-        return errors_of(design, way.settings[setting], Wanted::area).area;
+    auto error = [](const Design& design, const Method& method, std::size_t setting) {
+        return errors_of(design, method.settings[setting], Wanted::area).area;
     };
     const std::size_t nodes_33 = 3, nodes_37 = 2;
-    CHECK(error(narrow, stretched_way(narrow), nodes_33) < 1.5 * error(wide, stretched_way(wide), nodes_33));
-    CHECK(error(narrow, plain_grid_way(narrow), nodes_37) > 30 * error(wide, plain_grid_way(wide), nodes_37));
+    CHECK(error(narrow, stretched_method(narrow), nodes_33) <
+          1.5 * error(wide, stretched_method(wide), nodes_33));
+    CHECK(error(narrow, plain_grid_method(narrow), nodes_37) >
+          30 * error(wide, plain_grid_method(wide), nodes_37));
 }
 
 TEST_CASE("the bake's draft and final are what bake() gives") {
     const Design design = brushed();
-    const Way way = bake_way(design);
-    REQUIRE(way.settings.size() == 2);
+    const Method method = bake_method(design);
+    REQUIRE(method.settings.size() == 2);
     const auto final = bake(design, {.albedo = true});
-    const StoredTable table = way.settings[1].make(Wanted::area_and_albedo, {});
+    const StoredTable table = method.settings[1].make(Wanted::area_and_albedo, {});
     CHECK(table.bytes == final->table_floats() * sizeof(float));
     const dvec3 k = polar(0.3, 1.1);
     CHECK(table.area(k) == final->shading.projected_area(k, final->shading.table_spot(k)));
     CHECK(table.albedo(k) == read_albedo(final->shading, k, final->needs.fresnel_tables));
-    CHECK(way.settings[0].make(Wanted::area, {}).bytes < table.bytes / 4);
+    CHECK(method.settings[0].make(Wanted::area, {}).bytes < table.bytes / 4);
 }
 
 TEST_CASE("the harmonics obey Unsoeld's theorem, and the zonal ones are those of Boost") {
@@ -191,10 +193,10 @@ TEST_CASE("g by harmonics is the closed form of g where p is smooth") {
 
 TEST_CASE("harmonics are left out, and say so, where p is too narrow for their degree") {
     const Design needle = design_of(GgxLobe{0.002, 0.002}), smooth = design_of(GgxLobe{0.5, 0.5});
-    const Way left_out = harmonic_way(needle, {});
+    const Method left_out = harmonic_method(needle, {});
     CHECK(left_out.settings.empty());
     CHECK(left_out.left_out.find("too narrow") != std::string::npos);
-    const Way kept = harmonic_way(smooth, {});
+    const Method kept = harmonic_method(smooth, {});
     CHECK(kept.left_out.empty());
     double last = 1e9;
     for (int i : {0, 2, 4}) {

@@ -1,4 +1,4 @@
-// Light of the surroundings that the object reflects toward a distant viewer: a sum over samples, to be added to
+// Light of the environment that the object reflects toward a distant viewer: a sum over samples, to be added to
 // those before. A sample draws one visible facet of p and one direction of light, and weighs both by the balance
 // heuristic (Veach & Guibas 1995), so that neither a narrow p nor a small sun is missed.
 
@@ -12,7 +12,7 @@ uniform int samples;
 
 uniform float environment_brightness;  // factor
 
-out vec4 gathered;  // radiance times coverage, and the number of samples
+out vec4 accumulated;  // radiance times coverage, and the number of samples
 
 // rho L (k1.n) over the sum of both densities, in which either way may draw k1: visible facets or light. That is each
 // way's own quotient times its weight by the balance heuristic.
@@ -63,7 +63,7 @@ float turn(uvec2 texel) {
 }
 
 void main() {
-    gathered = vec4(0.0, 0.0, 0.0, float(samples));
+    accumulated = vec4(0.0, 0.0, 0.0, float(samples));
     ivec2 texel = ivec2(gl_FragCoord.xy);
     vec4 seen = texelFetch(normals, texel, 0);
     if (seen.w <= 0.0 || seen.z <= 0.0) return;
@@ -79,5 +79,5 @@ void main() {
         sum += by_facet(viewer, to_environment, irradiance, at);
         sum += by_light(viewer, to_environment, irradiance, fract(at + 0.5));
     }
-    gathered.rgb = environment_brightness * sum * seen.w;
+    accumulated.rgb = environment_brightness * sum * seen.w;
 }

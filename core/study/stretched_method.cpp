@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "core/bake/bake.h"
-#include "core/study/way.h"
+#include "core/study/method.h"
 #include "core/verify/table_error.h"
 
 namespace nacre {
@@ -15,7 +15,7 @@ StoredTable stored(std::shared_ptr<const Tables> tables) {
         .bytes = tables->table_floats() * sizeof(float)};
 }
 
-WaySetting setting(const Design& design, std::string label, BakeOptions options) {
+MethodSetting setting(const Design& design, std::string label, BakeOptions options) {
     options.threads = 1;
     return {std::move(label), [&design, options](Wanted wanted, const std::stop_token& stop) {
                 BakeOptions wished = options;
@@ -36,9 +36,9 @@ TableSize size_of(int polar, Symmetry symmetry) {
 
 }  // namespace
 
-Way stretched_way(const Design& design) {
-    Way way{
-        .kind = WayKind::stretched,
+Method stretched_method(const Design& design) {
+    Method method{
+        .kind = MethodKind::stretched,
         .name = "stretched tables",
         .about =
             "directions stretched by p's own width, bilinear (shaders/shared/tables.glsl); exact g in the "
@@ -46,15 +46,15 @@ Way stretched_way(const Design& design) {
     const Symmetry symmetry = find_symmetry(design.distribution).symmetry;
     for (int cells = 4; cells <= 256; cells *= 2) {
         const TableSize size = size_of(cells + 1, symmetry);
-        way.settings.push_back(
+        method.settings.push_back(
             setting(design, fmt::format("{} x {} nodes", size.w, size.psi), {.size = size}));
     }
-    return way;
+    return method;
 }
 
-Way bake_way(const Design& design) {
+Method bake_method(const Design& design) {
     return {
-        .kind = WayKind::bake,
+        .kind = MethodKind::bake,
         .name = "Nacre's bake",
         .about =
             "the stretched tables as `bake` chooses their size: the draft that is shown while a slider is "

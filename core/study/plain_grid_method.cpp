@@ -23,9 +23,9 @@ StoredTable make_table(const Design& design, const PlainGrid& grid, Wanted wante
 
 }  // namespace
 
-Way plain_grid_way(const Design& design) {
-    Way way{
-        .kind = WayKind::plain_grid,
+Method plain_grid_method(const Design& design) {
+    Method method{
+        .kind = MethodKind::plain_grid,
         .name = "plain grid, exact nodes",
         .about =
             "grids even in theta and phi, bilinear, with exact g in the nodes and R by the bake's own rule "
@@ -33,11 +33,11 @@ Way plain_grid_way(const Design& design) {
     const DistributionSymmetry symmetry = find_symmetry(design.distribution);
     for (int cells = 1; cells <= 64; cells *= 2) {
         const PlainGrid grid((paper_polar - 1) * cells + 1, paper_azimuths * cells, symmetry);
-        way.settings.push_back({grid.label(), [&design, grid](Wanted wanted, const std::stop_token& stop) {
-                                    return make_table(design, grid, wanted, stop);
-                                }});
+        method.settings.push_back({grid.label(), [&design, grid](Wanted wanted, const std::stop_token& stop) {
+                                       return make_table(design, grid, wanted, stop);
+                                   }});
     }
-    return way;
+    return method;
 }
 
 }  // namespace nacre

@@ -2,11 +2,11 @@
 
 namespace nacre {
 
-const std::vector<std::string>& picture_endings() {
-    static const std::vector<std::string> endings = {
+const std::vector<std::string>& picture_extensions() {
+    static const std::vector<std::string> extensions = {
         ".exr", ".hdr", ".tif", ".tiff", ".pfm", ".ppm", ".png",  ".jpg",  ".jpeg", ".webp",
         ".tga", ".bmp", ".psd", ".dds",  ".jp2", ".j2k", ".heic", ".heif", ".avif"};
-    return endings;
+    return extensions;
 }
 
 }  // namespace nacre
