@@ -103,6 +103,10 @@ class Painted final : public FacetLobe {
     int finer() const { return finer_; }
     const std::optional<Modulation>& modulation() const { return modulation_; }
 
+    std::vector<int> sides() const {
+        return factor_ ? std::vector{given_->width, factor_->side()} : std::vector{given_->width};
+    }
+
     double density(dvec3 h) const override {
         const double p = picture_(h);
         return factor_ ? p * (*factor_)(h) : p;
@@ -253,6 +257,11 @@ std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modula
     for (Facet& facet : sums)
         if (facet.mass > 0) facet.h /= facet.mass;
     return sums;
+}
+
+std::vector<int> picture_sides(const LobeModel& lobe) {
+    const auto* painted = dynamic_cast<const Painted*>(&lobe);
+    return painted ? painted->sides() : std::vector<int>();
 }
 
 std::optional<Repaint> repaint(const LobeModel& before, const Layer& after) {

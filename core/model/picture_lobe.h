@@ -9,6 +9,9 @@ namespace nacre {
 // the facets' mass and their mean direction, which is shorter than 1. Nothing for texels off the disk.
 std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modulation>& modulation);
 
+// Texels a side of the pictures that a painted lobe is bilinear between; none of any other lobe.
+std::vector<int> picture_sides(const LobeModel& lobe);
+
 // A painted lobe after a brush has touched its raster.
 struct Repaint {
     std::shared_ptr<const LobeModel>

@@ -25,8 +25,7 @@ class Reference {
     double visibility(dvec3 k) const;
 
     // R with F = 1, then with Schlick's weight (f0 = 0), or with the design's exact F in three colours;
-    // absolute error below 1e-6; 2e-5 where a picture takes part. Where its facets lie within a texel or two:
-    // 5e-5, and 5e-3 within 3 degrees of the horizon.
+    // absolute error below 1e-6; 2e-5 where a picture takes part, also one of a single texel.
     AlbedoValues albedo(dvec3 k, std::stop_token stop = {}) const;
 
     // The design's own R, one value a colour.
