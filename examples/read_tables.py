@@ -37,4 +37,4 @@ for line in sys.stdin:
     albedo, one = np.array(material.get("diffuse_albedo", 0)), f0 if material["diffuse"] == "metal" else 1
     diffuse = np.array(material["coupling"]) * albedo * np.maximum(one - Ra, 0) * np.maximum(one - Rb, 0)
     fresnel, p = f0 + (1 - f0) * (1 - cosine) ** 5, sum(density(a, (k1 + k2) / (2 * cosine)) for a in m["distribution"]["layers"])
-    print(g, P, R1, *p * fresnel * c["N"] / (4 * G1 * G2 * (1 - max(1 - P, 0) * max(1 - P2, 0) if material["shadowing"] == "smith_correlated" else 1)) + diffuse)
+    print(g, P, R1, *material.get("specular_intensity", 1) * p * fresnel * c["N"] / (4 * G1 * G2 * (1 - max(1 - P, 0) * max(1 - P2, 0) if material["shadowing"] == "smith_correlated" else 1)) + diffuse)

@@ -8,6 +8,7 @@
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
+#include "core/design/design_check.h"
 #include "core/formats/error_json.h"
 #include "core/formats/table_files.h"
 #include "core/shading/shader_variant.h"
@@ -91,6 +92,12 @@ nlohmann::ordered_json size_json(const TableError& error, const std::vector<Trie
     return json;
 }
 
+std::string specular_text(const Specular& specular) {
+    const std::string note = energy_note(specular.intensity);
+    return fmt::format("\nspecular term\n  intensity {:g}{}\n", specular.intensity,
+                       note.empty() ? "" : "  " + note);
+}
+
 std::string text_info(const Design& design, const Tables& tables) {
     const dvec3 mean = tables.mean;
     std::string text = fmt::format("{}\n", design.name.empty() ? "unnamed design" : one_line(design.name));
@@ -103,6 +110,7 @@ std::string text_info(const Design& design, const Tables& tables) {
     text += fmt::format(
         "\ndistribution\n  N         {:.6g}\n  H         {:.6g} {:.6g} {:.6g}\n  symmetry  {}\n",
         tables.shading.surface.N, mean.x, mean.y, mean.z, name_of(tables.needs.symmetry.symmetry));
+    if (design.specular != Specular{}) text += specular_text(design.specular);
     text += "\ntables\n";
     for (const TablePicture& picture : tables_in_use(tables))
         text += fmt::format("  {:<20} {:>4} x {:<4} {:>8} bytes\n", name_of_table(picture), picture.size.x,
@@ -140,6 +148,8 @@ std::string json_info(const Design& design, const Tables& tables) {
                        {"N", tables.shading.surface.N},
                        {"H", {tables.mean.x, tables.mean.y, tables.mean.z}},
                        {"symmetry", name_of(tables.needs.symmetry.symmetry)},
+                       {"specular_intensity", design.specular.intensity},
+                       {"creates_energy", !energy_note(design.specular.intensity).empty()},
                        {"tables", std::move(pictures)},
                        {"bake_seconds", tables.seconds},
                        {"table_bytes", tables.table_floats() * sizeof(float)},

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/design/design_check.h"
 #include "core/model/polar_angles.h"
 #include "ui/canvas_grid.h"
 
@@ -40,6 +41,10 @@ ui::TablesStatus status_of(const Tables& tables) {
     const double tilt = polar_angle(tables.mean);
     status.valid = tilt < ui::tilt_noticed;
     status.validity = status.valid ? "mean normal ok" : fmt::format("mean normal tilted {:.1f}\u00b0", tilt);
+    if (const std::string note = energy_note(tables.intensity); !note.empty()) {
+        status.valid = false;
+        status.validity += ", " + note;
+    }
     return status;
 }
 

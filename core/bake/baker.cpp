@@ -211,6 +211,7 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     tables.needs = made.needs;
     tables.omissions = omissions_of(made.design, made.needs);
     tables.quality = made.options.quality;
+    tables.intensity = made.design.specular.intensity;
     tables.size.w = made.area.nodes.polar;
     tables.size.psi = made.area.nodes.azimuth;
     tables.distribution = made.distribution;

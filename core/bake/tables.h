@@ -52,6 +52,7 @@ struct Tables {
     Shading<double> shading;
 
     dvec3 mean{0};           // H = <h>, p normalised to 1
+    double intensity = 1;    // of the specular term, not in R
     double mean_albedo = 0;  // (1/pi) integral of R cos dk with F = 1, of the interpolant; 0 without R
     double tolerance = 0;    // that the bake was asked for
     TableErrors errors;      // measured by the bake, on directions between nodes

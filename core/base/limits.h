@@ -12,6 +12,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double weight_max = 1e30;
 inline constexpr double mean_cosine_scale_min = 1e-3;
 inline constexpr double mean_cosine_scale_max = 100;
+inline constexpr double intensity_max = 4;      // of the specular term
 inline constexpr double tilt_max = 180;         // degrees
 inline constexpr double angle_max = 360;        // degrees, either sign: azimuth, rotation
 inline constexpr double correlation_min = 0.1;  // degrees

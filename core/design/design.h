@@ -17,6 +17,11 @@ struct Shadowing {
     bool operator==(const Shadowing&) const = default;
 };
 
+struct Specular {
+    double intensity = 1;  // a factor, applied last: g, R and the coupled diffuse term are those of 1
+    bool operator==(const Specular&) const = default;
+};
+
 struct Design {
     std::string name;
     std::string note;
@@ -24,6 +29,7 @@ struct Design {
     Shadowing shadowing;
     Fresnel fresnel = SchlickFresnel{};
     Diffuse diffuse = NoDiffuse{};
+    Specular specular;
 
     bool operator==(const Design&) const = default;
 };

@@ -59,4 +59,8 @@ void check_design(const Design& design, const std::string& file) {
     check_kind(design.diffuse, "diffuse", file);
 }
 
+std::string energy_note(double intensity) {
+    return intensity > 1 ? fmt::format("specular intensity {:g} creates energy", intensity) : "";
+}
+
 }  // namespace nacre

@@ -11,4 +11,7 @@ namespace nacre {
 // Other distributions with N = 0 show only in the bake.
 void check_design(const Design& design, const std::string& file);
 
+// What is to be said of an intensity above 1 wherever a design's validity is shown; empty for any other.
+std::string energy_note(double intensity);
+
 }  // namespace nacre

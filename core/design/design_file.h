@@ -10,7 +10,10 @@
 
 namespace nacre {
 
-inline constexpr int design_version = 1;
+inline constexpr int design_version = 2;  // the highest that is known
+
+// The lowest version of the format that has every key this design needs.
+int version_of(const Design& design);
 
 // Whatever is wrong with the file or with a picture it names is a UserError.
 Design load_design(const std::filesystem::path& file);

@@ -18,10 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_version(ObjectReader& reader) {
-    const std::string meaning = fmt::format("the version of the format, {}", design_version);
-    const JsonValue version = reader.required("nacre", meaning);
-    if (version.whole_number(1, std::numeric_limits<int>::max()) > design_version)
-        version.fail(fmt::format("this program reads version {} of the format", design_version));
+    const std::string meaning = fmt::format("the version of the format, 1 to {}", design_version);
+    const JsonValue json = reader.required("nacre", meaning);
+    const int version = json.whole_number(1, std::numeric_limits<int>::max());
+    if (version > design_version)
+        throw UserError(json.file(), json.path(),
+                        fmt::format("made by a newer Nacre (version {}): this one reads versions 1 to {}",
+                                    version, design_version));
 }
 
 Distribution read_distribution(const JsonValue& json, const fs::path& base_dir) {
@@ -59,6 +62,14 @@ Shadowing read_shadowing(const JsonValue& json) {
     return shadowing;
 }
 
+Specular read_specular(const JsonValue& json) {
+    ObjectReader reader(json);
+    Specular specular;
+    reader.number("intensity", specular.intensity, {0, limits::intensity_max});
+    reader.finish("the specular term");
+    return specular;
+}
+
 }  // namespace
 
 Design parse_work(std::string_view json_text, const std::string& file_name_for_errors,
@@ -73,6 +84,7 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
     if (reader.has("shadowing")) design.shadowing = read_shadowing(reader.at("shadowing"));
     if (reader.has("fresnel")) design.fresnel = read_model<Fresnel>(reader.at("fresnel"), "Fresnel");
     if (reader.has("diffuse")) design.diffuse = read_model<Diffuse>(reader.at("diffuse"), "diffuse");
+    if (reader.has("specular")) design.specular = read_specular(reader.at("specular"));
     reader.finish("a design");
     if (has_distribution)
         design.distribution = read_distribution(reader.at("distribution"), absolute_folder(base_dir));

@@ -160,7 +160,7 @@ std::string layer_text(const Layer& layer, const std::string& where, const Targe
 
 std::string design_text(const Design& design, const Target& target) {
     std::string text = "{\n";
-    text += fmt::format("  \"nacre\": {},\n", design_version);
+    text += fmt::format("  \"nacre\": {},\n", version_of(design));
     text += fmt::format("  \"name\": {},\n", quoted(design.name));
     if (!design.note.empty()) text += fmt::format("  \"note\": {},\n", quoted(design.note));
     text += "  \"distribution\": {\n    \"layers\": [\n";
@@ -176,11 +176,15 @@ std::string design_text(const Design& design, const Target& target) {
     text += fmt::format("  \"shadowing\": {{{}, \"clamp\": {}}},\n", model_text(design.shadowing.model),
                         design.shadowing.clamp);
     text += fmt::format("  \"fresnel\": {{{}}},\n", model_text(design.fresnel));
-    text += fmt::format("  \"diffuse\": {{{}}}\n}}\n", model_text(design.diffuse));
-    return text;
+    text += fmt::format("  \"diffuse\": {{{}}}", model_text(design.diffuse));
+    if (design.specular != Specular{})
+        text += fmt::format(",\n  \"specular\": {{\"intensity\": {}}}", number(design.specular.intensity));
+    return text + "\n}\n";
 }
 
 }  // namespace
+
+int version_of(const Design& design) { return design.specular == Specular{} ? 1 : 2; }
 
 std::string design_json(const Design& design, const fs::path& base_dir) {
     return design_text(design, {absolute_folder(base_dir), "design"});

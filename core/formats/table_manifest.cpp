@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/design/design_check.h"
 #include "core/formats/error_json.h"
 
 namespace nacre {
@@ -171,6 +172,8 @@ void add_model(const char* key, const Variant& value, Json& json) {
         value);
 }
 
+bool has_intensity(const Design& design) { return design.specular != Specular{}; }
+
 Json material_json(const Design& design, const Tables& tables) {
     const auto& surface = tables.shading.surface;
     Json json;
@@ -180,6 +183,7 @@ Json material_json(const Design& design, const Tables& tables) {
     add_model("diffuse", design.diffuse, json);
     if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
     if (tables.needs.albedo) json["coupling"] = numbers(surface.coupling);
+    if (has_intensity(design)) json["specular_intensity"] = design.specular.intensity;
     return json;
 }
 
@@ -196,7 +200,7 @@ Json brdf_json(const Design& design) {
         design.shadowing.clamp ? "G1 = max(g1, N z1); G2 = max(g2, N z2)" : "G1 = g1; G2 = g2",
         formula_of(design.shadowing.model),
         formula_of(design.fresnel),
-        "specular = p(h) F V/4",
+        has_intensity(design) ? "specular = specular_intensity p(h) F V/4" : "specular = p(h) F V/4",
         formula_of(design.diffuse)};
 }
 
@@ -234,6 +238,8 @@ std::string table_manifest(const Design& design, const Tables& tables,
     json["material"] = material_json(design, tables);
     json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
+    if (const std::string note = energy_note(design.specular.intensity); !note.empty())
+        json["validity"] = note;
     json["evaluate"] = evaluation_json(design, tables);
     if (tables.needs.albedo) add_fresnel_rules(tables, json);
     json["brdf"] = brdf_json(design);

@@ -72,7 +72,7 @@ void describe_material(const Design& design, const FacetDistribution& facets, Sh
         std::visit([&](const auto& model) { return model.shader(f0); }, design.diffuse);
     surface.albedo = diffuse.albedo;
     surface.kd = diffuse.kd;
-    surface.ks = diffuse.ks;
+    surface.ks = diffuse.ks * design.specular.intensity;
 }
 
 dvec3 normal_reflectance(const Fresnel& fresnel) {

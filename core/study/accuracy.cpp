@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/bake/bake.h"
+#include "core/design/design_check.h"
 #include "core/study/cold_time.h"
 #include "core/study/method.h"
 #include "core/verify/reference.h"
@@ -131,6 +132,7 @@ DesignAccuracy measure_accuracy(const Design& design, const AccuracyOptions& opt
                                 const std::function<void(double)>& progress) {
     DesignAccuracy accuracy;
     accuracy.name = design.name;
+    accuracy.energy_note = energy_note(design.specular.intensity);
     accuracy.symmetry = find_symmetry(design.distribution).symmetry;
     accuracy.methods = AccuracyRun(design, options, stop, progress).run();
     accuracy.costs = measure_omissions(design, stop);

@@ -38,8 +38,9 @@ struct MethodAccuracy {
 };
 
 struct DesignAccuracy {
-    std::string name;  // of the design, for people
-    std::string file;  // stem for the files about it
+    std::string name;         // of the design, for people
+    std::string file;         // stem for the files about it
+    std::string energy_note;  // see core/design/design_check.h
     Symmetry symmetry = Symmetry::none;
     std::vector<MethodAccuracy> methods;
     OmissionCosts costs;

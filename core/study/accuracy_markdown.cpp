@@ -165,9 +165,10 @@ std::string cost_table(const OmissionCosts& costs) {
 
 std::string design_section(const DesignAccuracy& design) {
     return fmt::format(
-        "\n## {}\n\n![g](<{}>)\n\n![R](<{}>)\n\n{}\nWhat is left out, and what it would cost to have "
+        "\n## {}\n\n{}![g](<{}>)\n\n![R](<{}>)\n\n{}\nWhat is left out, and what it would cost to have "
         "it:\n\n{}",
-        design_name(design), markdown_target(chart_file(design.file, ChartOf::area)),
+        design_name(design), design.energy_note.empty() ? "" : fmt::format("The {}.\n\n", design.energy_note),
+        markdown_target(chart_file(design.file, ChartOf::area)),
         markdown_target(chart_file(design.file, ChartOf::albedo)), method_tables(design),
         cost_table(design.costs));
 }

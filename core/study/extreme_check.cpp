@@ -147,9 +147,9 @@ class Judgement {
         if (extreme_.design.shadowing.clamp) check_total();
     }
 
-    // The whole BRDF in a white environment, by its tables.
+    // The whole BRDF in a white environment, by its tables. An intensity I makes I R + 1 - R of 1 at most.
     void check_total() {
-        const double bound = 1 + result_.albedo.bound;
+        const double bound = std::fmax(extreme_.design.specular.intensity, 1) * (1 + result_.albedo.bound);
         int bright = 0;
         const std::vector<dvec3> probes = probe_directions(options_.probes.area);
         for (const dvec3 k : probes) {

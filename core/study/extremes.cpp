@@ -196,8 +196,8 @@ void add_mean_cosines(Cases& cases) {
     }
 }
 
-// Each model as it comes and at its extremes, on a tilted p; t of less than a degree on an upright one, since the
-// reference takes a minute for one R of a tilted p.
+// Each model as it comes and at its extremes, on a tilted p; t of less than a degree on an upright one, since
+// the reference takes a minute for one R of a tilted p.
 void add_visibilities(Cases& cases) {
     std::vector<NamedValue<MaskingModel>> models;
     for (std::size_t kind = 0; kind < KindSet<MaskingModel>::count; ++kind)
@@ -238,12 +238,22 @@ void add_materials(Cases& cases) {
         if (diffuse != white_diffuse(diffuse.index())) add("diffuse " + name, Fresnel{}, diffuse);
 }
 
+// With the coupled term in white, which takes what the specular term of intensity 1 leaves.
+void add_intensities(Cases& cases) {
+    for (const double intensity : {0.0, 1.0, limits::intensity_max}) {
+        Design design = of(GgxLobe{0.3, 0.3}, 30);
+        design.diffuse = CoupledDiffuse{glm::dvec3{1}};
+        design.specular.intensity = intensity;
+        cases.push_back({"intensity", fmt::format("specular intensity {:g}", intensity), design});
+    }
+}
+
 }  // namespace
 
 std::vector<ExtremeCase> extreme_cases() {
     Cases cases;
     for (const auto add : {add_lobes, add_ratios, add_tilts, add_mixtures, add_pictures, add_scales,
-                           add_mean_cosines, add_visibilities, add_materials})
+                           add_mean_cosines, add_visibilities, add_materials, add_intensities})
         add(cases);
     return cases;
 }

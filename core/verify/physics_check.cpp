@@ -9,6 +9,7 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
+#include "core/design/design_check.h"
 #include "core/verify/albedo_check.h"
 #include "core/verify/effort.h"
 #include "core/verify/facet_integral.h"
@@ -23,7 +24,7 @@ using std::numbers::pi;
 
 constexpr double smooth_tolerance = 1e-6, picture_tolerance = 2e-4;  // of an integral over p
 constexpr double upright_degrees = 0.01;                             // H counts as parallel to n
-constexpr int furnace_directions = 8;
+constexpr int furnace_directions = 8, total_directions = 200;
 constexpr int reciprocity_pairs = 20000, least_pairs = 2000;
 constexpr double reciprocity_seconds = 5;  // of the processor
 constexpr double most_surprise = 6;        // one false alarm in a million designs
@@ -58,6 +59,7 @@ class PhysicsCheckRun {
         check_sampling();
         report(0.9);
         check_density();
+        if (design_.specular.intensity > 1) check_intensity();
         report(1);
         return result_;
     }
@@ -173,6 +175,19 @@ class PhysicsCheckRun {
                 "-log10 of the chance of samples so far from the pdf, {} directions, {} samples each, "
                 "{} bins (chi-square)",
                 density.directions, density.samples, density.bins));
+    }
+
+    // Above 1 the specular term is more than its facets reflect. The tables are those of intensity 1, so that
+    // no check before knows of it; it fails where it makes the whole BRDF send back more than it gets.
+    void check_intensity() {
+        double most = 0;
+        for (const dvec3 k : probe_directions(total_directions)) {
+            const dvec3 total = tables_->shading.total_albedo(tables_->shading.direction(k));
+            most = worse_error(most, std::max({total.x, total.y, total.z}));
+        }
+        add("intensity", most, 1, most <= 1 ? Verdict::note : Verdict::fail,
+            fmt::format("{}: the largest albedo of the whole BRDF, {} directions",
+                        energy_note(design_.specular.intensity), total_directions));
     }
 
     const Design& design_;

@@ -46,7 +46,7 @@ struct Surface {
     scalar3 fresnel_a;    // what the Fresnel model reads: f0; the index of refraction in x; eta
     scalar3 fresnel_b;    // kappa
     scalar kd;            // eq. 27
-    scalar ks;            // weight of the specular term, 1 but for eq. 27
+    scalar ks;            // weight of the specular term: the design's intensity, times that of eq. 27
     scalar3 albedo;       // rho_d
     scalar3 coupling;     // the constant c of eq. 28, for each colour
 };

@@ -85,7 +85,9 @@ TEST_SUITE("hostile design") {
     TEST_CASE("hostile design: the version") {
         accept("{\"nacre\": 1}");
         refuse("{}", "nacre", "missing");
-        refuse("{\"nacre\": 2, \"new\": 1}", "nacre", "reads version 1 of the format (2)");
+        accept("{\"nacre\": 2}");
+        refuse("{\"nacre\": 3, \"new\": 1}", "nacre",
+               "made by a newer Nacre (version 3): this one reads versions 1 to 2");
         refuse("{\"nacre\": 0}", "nacre", "whole number");
         refuse("{\"nacre\": 1.5}", "nacre", "whole number");
         refuse("{\"nacre\": \"1\"}", "nacre", "(\"1\")");

@@ -127,6 +127,7 @@ Design random_design(const std::vector<Picture>& files) {
     design.shadowing.clamp = coin();
     design.fresnel = random_kind<Fresnel>();
     design.diffuse = random_kind<Diffuse>();
+    if (coin()) design.specular.intensity = number(0, limits::intensity_max);
     return design;
 }
 

@@ -40,6 +40,7 @@ def designs():
             yield f"{fresnel}-{diffuse}", layers, of(kinds["masking"], len(fresnel) + len(diffuse)), fresnel, diffuse
     for masking in kinds["masking"]:
         yield f"{masking}-no-clamp", [{**layers[0], "tilt": 30}], masking, "none", "none"
+    yield "bright", layers, kinds["masking"][0], "schlick", "coupled"
     yield "whole-sphere", [{"lobe": "uniform", "domain": "sphere"}, layers[0]], kinds["masking"][0], "none", "none"
 
 
@@ -66,7 +67,8 @@ if sys.argv[4:]:
     sys.exit()
 for name, layers, masking, fresnel, diffuse in designs():
     design = folder / f"{name}.nacre"
-    design.write_text(json.dumps({"nacre": 1, "distribution": {"layers": layers},
+    specular = {"specular": {"intensity": 2.5}} if name == "bright" else {}
+    design.write_text(json.dumps({"nacre": 2 if specular else 1, "distribution": {"layers": layers}, **specular,
                                   "shadowing": {"model": masking, "clamp": not name.endswith("no-clamp")},
                                   "fresnel": {"model": fresnel, **materials.get(fresnel, {})}, "diffuse": {"model": diffuse, **diffuses.get(diffuse, {})}}))
     check(design)

@@ -51,6 +51,8 @@ std::vector<NamedDesign> designs() {
     curve.diffuse = CoupledDiffuse{};
     curve.shadowing = {SmithCorrelatedMasking{}, false};
     all.push_back({"tilted curve", curve});
+    curve.specular.intensity = 3;
+    all.push_back({"bright curve", curve});
     // Every kind there is.
     using Materials = KindSet<Fresnel>;
     for (std::size_t i = 0; i < std::max(KindSet<Lobe>::count, Materials::count); ++i) {
