@@ -48,7 +48,7 @@ void tables_parts(const TablesStatus& baked, bool expert) {
          "within a thousandth or as near as they can.");
     if (!expert) return;
     next_part("Draft");
-    part("Validity", baked.validity, palette::text_dim,
+    part("Validity", baked.validity, baked.creates_energy ? palette::amber : palette::text_dim,
          baked.valid
              ? "The mean facet normal lies along n, as on every real surface: \u222b h p(h) dh is "
                "parallel to n, and facets show as much area as the surface has."

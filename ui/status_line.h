@@ -12,6 +12,7 @@ struct TablesStatus {
     std::string quality;
     std::string validity;  // of p
     bool valid = true;
+    bool creates_energy = false;
     std::vector<std::string> left_out;
     std::string tables;  // size, time, errors
 };

@@ -230,11 +230,19 @@ void text_row(const char* label, const std::string& text) {
     ImGui::TextWrapped("%s", text.c_str());
 }
 
-void dim_text(const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
+namespace {
+
+void wrapped(const std::string& text, const Colour& colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
 }
+
+}  // namespace
+
+void dim_text(const std::string& text) { wrapped(text, palette::text_dim); }
+
+void warning_text(const std::string& text) { wrapped(text, palette::amber); }
 
 void notes_row(std::span<const std::string> notes) {
     for (const std::string& note : notes) {

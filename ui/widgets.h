@@ -46,6 +46,7 @@ void heading(const char* text);
 bool section(const char* label);
 void text_row(const char* label, const std::string& text);
 void dim_text(const std::string& text);
+void warning_text(const std::string& text);
 // A line near the lower edge of the window, over what it shows, that takes no clicks.
 void hint(const char* text);
 // What is to be said of something that was read, one below the other over the whole width.

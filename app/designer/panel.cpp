@@ -10,6 +10,7 @@
 #include "app/designer/designer.h"
 #include "app/designer/perform.h"
 #include "app/designer/scene_panel.h"
+#include "core/base/limits.h"
 #include "ui/item_map.h"
 #include "ui/material_panel.h"
 #include "ui/widgets.h"
@@ -29,6 +30,24 @@ void draw_material(Design& design) {
     ImGui::Spacing();
     ui::heading("Note");
     ui::note_field(design.note);
+}
+
+// How bright the whole highlight is, whatever its layers are.
+void draw_intensity(Specular& specular) {
+    ui::slider(
+        {.label = "Intensity",
+         .low = 0,
+         .high = 2,
+         .least = 0,
+         .most = limits::intensity_max,
+         .reset = Specular().intensity,
+         .format = "%.2f",
+         .logarithmic = false,
+         .tooltip = "How bright the whole highlight is: a factor on the specular term, applied last. Above 1 "
+                    "it reflects more light than falls on it."},
+        specular.intensity);
+    if (specular.intensity > 1) ui::warning_text("Creates energy: it reflects more than it gets.");
+    ImGui::Spacing();
 }
 
 // Final tables of this design, if they are what the preview shows.
@@ -71,7 +90,10 @@ void draw_panel(Designer& designer) {
     };
     designer.layers.thumbnails.update(designer.frame.p, designer.frame.revision);
     bool presets = false;
-    tab("Layers", [&] { ui::layers_panel(designer.layers, design.distribution); });
+    tab("Layers", [&] {
+        draw_intensity(design.specular);
+        ui::layers_panel(designer.layers, design.distribution);
+    });
     tab("Material", [&] { draw_material(design); });
     tab("Light", [&] {
         designer.environment.rows(designer.scene.environment, file_dialogs(designer));

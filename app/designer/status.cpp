@@ -43,6 +43,7 @@ ui::TablesStatus status_of(const Tables& tables) {
     status.validity = status.valid ? "mean normal ok" : fmt::format("mean normal tilted {:.1f}\u00b0", tilt);
     if (const std::string note = energy_note(tables.intensity); !note.empty()) {
         status.valid = false;
+        status.creates_energy = true;
         status.validity += ", " + note;
     }
     return status;
