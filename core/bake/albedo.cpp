@@ -94,13 +94,26 @@ void walk_span(const GreatCircleQuadrature& walk, std::size_t level, MaskingBend
     flush();
 }
 
-// Directions by which the level is chosen: c from 0 to 1, crowded at grazing, azimuths all round.
+// Directions by which a lobe's level is chosen.
 constexpr int trials = 16;
 
-dvec3 trial_direction(int i) {
-    const double c = std::pow(i / (trials - 1.0), 2), s = std::sqrt((1 - c) * (1 + c));
-    const double phi = 2 * pi * std::fmod(i * std::numbers::phi, 1.0);
-    return {s * std::cos(phi), s * std::sin(phi), c};
+// c from 0 to 1, crowded at grazing, azimuths all round. Where p has corners, every other direction is one
+// that the lobe mirrors toward the horizon, as near to it as the lobe is wide: there the facets that send
+// light up end between those corners, however narrow p is.
+dvec3 trial_direction(const PlacedLobe& placed, int i) {
+    const double part = i / (trials - 1.0), phi = 2 * pi * std::fmod(i * std::numbers::phi, 1.0);
+    const auto at = [&](double c) {
+        const double s = std::sqrt((1 - c) * (1 + c));
+        return dvec3{s * std::cos(phi), s * std::sin(phi), c};
+    };
+    if (i % 2 == 1)
+        for (const LobeParameterization& span : placed.lobe->spans()) {
+            if (span.breaks.empty()) continue;
+            const dvec3 up = at(std::min(2 * std::sin(span.breaks.back()), 1.0) * part);
+            const dvec3 mirrored = 2 * glm::dot(up, placed.frame[2]) * placed.frame[2] - up;
+            if (mirrored.z > 0) return mirrored;
+        }
+    return at(part * part);
 }
 
 // In columns that run to and fro, so that facets which are summed side by side read the tables at places near
@@ -159,7 +172,7 @@ std::size_t AlbedoQuadrature::choose_level(std::size_t lobe, double tolerance) {
     auto evaluate = [&](std::size_t level) {
         std::array<AlbedoValues, trials> values;
         for (int i = 0; i < trials; ++i) {
-            const dvec3 k = trial_direction(i);
+            const dvec3 k = trial_direction(distribution_.lobes()[lobe], i);
             values[static_cast<std::size_t>(i)] = over_lobe(lobe, level, k, distribution_.projected_area(k));
         }
         return values;

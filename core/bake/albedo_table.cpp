@@ -119,16 +119,22 @@ std::vector<TablePoint> AlbedoTable::layer_points(Workers& workers) const {
     std::vector<std::pair<double, TablePoint>> layer(static_cast<std::size_t>(2 * cells.rows()));
     workers.for_each(2 * cells.rows(), [&](int i) {
         TablePoint point{static_cast<double>(cells.columns()), 0.5 * i + 0.25, TablePlace::centre};
-        const dvec3 k = direction(point);
-        const auto spot = shading_.table_spot(k);
-        const double g = distribution.projected_area(k), read = shading_.projected_area(k, spot);
-        const double most = std::max(g, read), c = std::max(most / shading_.surface.N, lowest_cosine);
-        if (!(c < 0.5)) return;
-        const double sine = std::sqrt((1 - c) * (1 + c));
-        const dvec3 edge{sine * k.x, sine * k.y, c};
+        const dvec3 horizon = direction(point);
+        dvec3 edge = horizon;
+        double wrong = 0;  // of g there, as a part
+        // From g at the horizon, then from g so high.
+        for (int round = 0; round < 2; ++round) {
+            const double g = distribution.projected_area(edge);
+            const double read = shading_.projected_area(edge, shading_.table_spot(edge));
+            const double most = std::max(g, read), c = std::max(most / shading_.surface.N, lowest_cosine);
+            if (!(c < 0.5)) return;
+            const double sine = std::sqrt((1 - c) * (1 + c));
+            edge = {sine * horizon.x, sine * horizon.y, c};
+            wrong = std::fabs(g - read) / most;
+        }
         const auto albedo = shading_.albedo_spot(edge, shading_.table_spot(edge));
         point.column = albedo.v * cells.columns();
-        layer[static_cast<std::size_t>(i)] = {std::fabs(g - read) / most * shading_.albedo_f1(albedo), point};
+        layer[static_cast<std::size_t>(i)] = {wrong * shading_.albedo_f1(albedo), point};
     });
     std::stable_sort(layer.begin(), layer.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -109,8 +109,11 @@ template <class T>
 Settings<T> settings_of(const CurveParameter<T>& parameter) {
     const auto [low, high] = parameter.theta_bounds;
     const double some = std::min(parameter.value_bounds.high, 1.0);
-    return {setting("from end to end", parameter.member,
-                    std::vector<std::pair<double, double>>{{low, some}, {high, some / 5}})};
+    const double near = low + (high - low) / 1800;
+    using Points = std::vector<std::pair<double, double>>;
+    return {
+        setting(fmt::format("straight to 0 at {:g}", near), parameter.member, Points{{low, some}, {near, 0}}),
+        setting("from end to end", parameter.member, Points{{low, some}, {high, some / 5}})};
 }
 
 template <class T>

@@ -120,6 +120,18 @@ TEST_CASE("claims hold: R beside the horizon, where its table misses the toleran
     check_claims(random_mixture(339), 1000, 3000);
 }
 
+TEST_CASE("claims hold: R where the clamp sets in, whose edge is above the horizon and between rows" *
+          doctest::skip(slow)) {
+    check_claims(random_mixture(544), 1000, 4000);
+}
+
+TEST_CASE("claims hold: a curve that falls straight to 0 within a tenth of a degree and less") {
+    for (const double end : {0.1, 0.001}) {
+        CAPTURE(end);
+        check_claims(design_of(CurveLobe{{{0, 1}, {end, 0}}}), 2000, 400);
+    }
+}
+
 TEST_CASE(
     "next to n a correlated masking has a limit for every azimuth, which R's rows hold; n has one of them") {
     const Design design = random_mixture(11);
