@@ -21,7 +21,7 @@ double distance(const CanvasFrame& frame, dvec3 h, glm::dvec2 pixel) {
     return frame.view.hidden(h) ? HUGE_VAL : glm::length(frame.view.pixel(h) - pixel);
 }
 
-bool counts(const Layer& layer) { return layer.enabled; }
+bool is_enabled(const Layer& layer) { return layer.enabled; }
 
 // The point of the outline nearest to a pixel.
 std::optional<dvec3> outline_under(const CanvasFrame& frame, const Layer& layer, glm::dvec2 pixel) {
@@ -119,7 +119,7 @@ std::optional<GrabbedHandle> handle_under(const CanvasFrame& frame, const Distri
                                           std::size_t chosen) {
     const auto& layers = distribution.layers;
     const glm::dvec2 pixel = frame.pixel(ImGui::GetIO().MousePos);
-    if (chosen < layers.size() && counts(layers[chosen]))
+    if (chosen < layers.size() && is_enabled(layers[chosen]))
         if (const auto handle = chosen_handle(frame, layers[chosen], pixel))
             return GrabbedHandle{
                 handle->handle.kind, chosen,
@@ -127,7 +127,7 @@ std::optional<GrabbedHandle> handle_under(const CanvasFrame& frame, const Distri
                 layers[chosen],      handle->moved_apart ? std::optional(handle->pixel) : std::nullopt};
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const dvec3 axis = handles_of(layers[i]).front().at;
-        if (counts(layers[i]) && distance(frame, axis, pixel) <= static_cast<double>(reach * scale()))
+        if (is_enabled(layers[i]) && distance(frame, axis, pixel) <= static_cast<double>(reach * scale()))
             return GrabbedHandle{HandleKind::axis, i, axis, pixel, layers[i], {}};
     }
     return {};
@@ -163,11 +163,11 @@ void draw_handles(const CanvasState& state, const CanvasFrame& frame, const Dist
     const auto& layers = distribution.layers;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const dvec3 axis = handles_of(layers[i]).front().at;
-        if (i == chosen || !counts(layers[i]) || frame.view.hidden(axis)) continue;
+        if (i == chosen || !is_enabled(layers[i]) || frame.view.hidden(axis)) continue;
         const bool under = hot && hot->layer == i;
         knob(frame.screen(axis), under ? 5.0f : 3.5f, under ? palette::accent_bright : palette::text_dim);
     }
-    if (chosen < layers.size() && counts(layers[chosen])) {
+    if (chosen < layers.size() && is_enabled(layers[chosen])) {
         // What is held has moved since it was taken.
         if (state.grabbed && hot->kind != HandleKind::outline)
             for (const Handle& handle : handles_of(layers[chosen]))

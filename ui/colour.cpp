@@ -13,6 +13,7 @@
 
 #include "core/image/srgb.h"
 #include "ui/item_map.h"
+#include "ui/keys.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -89,6 +90,8 @@ void hexadecimal_field(const std::string& name, glm::dvec3& linear) {
     const ImGuiID key = ImGui::GetID("wrong digits");
     const bool wrong = storage.GetBool(key);
     if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, palette::red);
+    // A colour can be typed as soon as the picker opens.
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const bool edited = ImGui::InputText("##hexadecimal", &text, ImGuiInputTextFlags_AutoSelectAll);
     if (wrong) ImGui::PopStyleColor();
     note_item(name + " hexadecimal");
@@ -119,6 +122,7 @@ void swatch(const std::string& name, glm::dvec3& linear) {
                                 ImGuiColorEditFlags_NoLabel);
         note_item(name + " picker");
         hexadecimal_field(name, linear);
+        if (is_key_pressed(key::enter, false)) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
     take(before, now, linear);

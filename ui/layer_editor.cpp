@@ -147,6 +147,10 @@ bool layer_editor(Layer& layer, LayersView& view) {
                     "\u2211 w p / \u2211 w, each layer's p of integral 1. Ctrl+click to type any number."},
         layer.weight);
     changed |= artists_fields(layer);
+    changed |=
+        colour("Colour##Layer tint", layer.tint, glm::dvec3(1),
+               "The colour that this layer's facets reflect, on top of the material's own. The share that "
+               "they do not reflect is lost, so that energy and reciprocity hold.");
     if (view.expert) {
         changed |= kind_of_lobe(layer.lobe);
         changed |= lobe_fields(layer.lobe, view);

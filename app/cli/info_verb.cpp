@@ -27,6 +27,7 @@ struct LayerInfo {
     std::string lobe;
     double share;  // of the facets' area
     bool modulated;
+    dvec3 tint;
 };
 
 std::vector<LayerInfo> layers_of(const Design& design) {
@@ -35,7 +36,7 @@ std::vector<LayerInfo> layers_of(const Design& design) {
     std::vector<LayerInfo> infos;
     for (const Layer& layer : design.distribution.layers)
         infos.push_back({one_line(layer.name), std::string(kind_name(layer.lobe)),
-                         layer.enabled ? layer.weight / whole : 0, layer.modulation.has_value()});
+                         layer.enabled ? layer.weight / whole : 0, layer.modulation.has_value(), layer.tint});
     return infos;
 }
 
@@ -51,6 +52,8 @@ std::vector<std::string> shader_parts(const Tables& tables) {
     std::vector<std::string> parts;
     for (const int lobe : variant.lobes) parts.push_back(fmt::format("lobe {}", kind_name_of<Lobe>(lobe)));
     if (variant.modulation) parts.emplace_back("modulation by a picture");
+    if (kinds.tint == Tint::shared) parts.emplace_back("one tint of all layers");
+    if (kinds.tint == Tint::varied) parts.emplace_back("a tint of each layer");
     parts.push_back(fmt::format("shadowing {}{}", kind_name_of<MaskingModel>(kinds.masking),
                                 kinds.clamp ? ", clamped" : ""));
     if (kinds.fresnel != kind_index<Fresnel, NoFresnel>())
@@ -92,6 +95,11 @@ nlohmann::ordered_json size_json(const TableError& error, const std::vector<Trie
     return json;
 }
 
+std::string tint_text(dvec3 tint) {
+    if (tint == dvec3{1}) return "";
+    return fmt::format(", tint {:.4g} {:.4g} {:.4g}", tint.x, tint.y, tint.z);
+}
+
 std::string specular_text(const Specular& specular) {
     const std::string note = energy_note(specular.intensity);
     return fmt::format("\nspecular term\n  intensity {:g}{}\n", specular.intensity,
@@ -104,9 +112,9 @@ std::string text_info(const Design& design, const Tables& tables) {
     if (!design.note.empty()) text += fmt::format("  {}\n", one_line(design.note));
     text += "\nlayers\n";
     for (const LayerInfo& layer : layers_of(design))
-        text +=
-            fmt::format("  {:5.1f} %  {}{}{}\n", 100 * layer.share, layer.lobe,
-                        layer.modulated ? ", modulated" : "", layer.name.empty() ? "" : "  " + layer.name);
+        text += fmt::format("  {:5.1f} %  {}{}{}{}\n", 100 * layer.share, layer.lobe,
+                            layer.modulated ? ", modulated" : "", tint_text(layer.tint),
+                            layer.name.empty() ? "" : "  " + layer.name);
     text += fmt::format(
         "\ndistribution\n  N         {:.6g}\n  H         {:.6g} {:.6g} {:.6g}\n  symmetry  {}\n",
         tables.shading.surface.N, mean.x, mean.y, mean.z, name_of(tables.needs.symmetry.symmetry));
@@ -133,7 +141,8 @@ std::string json_info(const Design& design, const Tables& tables) {
         layers.push_back({{"name", layer.name},
                           {"lobe", layer.lobe},
                           {"share", layer.share},
-                          {"modulated", layer.modulated}});
+                          {"modulated", layer.modulated},
+                          {"tint", {layer.tint.x, layer.tint.y, layer.tint.z}}});
     for (const TablePicture& picture : tables_in_use(tables))
         pictures.push_back({{"name", name_of_table(picture)},
                             {"width", picture.size.x},

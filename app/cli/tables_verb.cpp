@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <iterator>
+#include <vector>
 
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
@@ -20,22 +21,22 @@ struct TablesOptions {
     BakeOptions bake = {.albedo = true};
 };
 
-// What `tables` prints of one direction.
+// What `tables` prints of one direction: R0, then R1, once or for each colour.
 struct Row {
     double g = 0;
     double P = 0;
-    double R0 = 0;
-    double R1 = 0;
+    AlbedoValues R = {};
 };
 
-void append_row(const Row& row, bool exact, std::string& text) {
-    if (exact) {
-        fmt::format_to(std::back_inserter(text), "{:.17g} {:.17g} {:.17g} {:.17g}\n", row.g, row.P, row.R0,
-                       row.R1);
-    } else {
-        fmt::format_to(std::back_inserter(text), "{:.9g} {:.9g} {:.9g} {:.9g}\n", row.g, row.P, row.R0,
-                       row.R1);
-    }
+void append_row(const Row& row, const AlbedoLayout& layout, bool exact, std::string& text) {
+    std::vector<double> numbers = {row.g, row.P};
+    const auto with_factor = row.R.begin() + layout.full();
+    numbers.insert(numbers.end(), with_factor, with_factor + layout.factors());
+    numbers.insert(numbers.end(), row.R.begin(), with_factor);
+    const int digits = exact ? 17 : 9;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        fmt::format_to(std::back_inserter(text), "{}{:.{}g}", i == 0 ? "" : " ", numbers[i], digits);
+    text += '\n';
 }
 
 // R0 and R1 are those of f0 = 0 and 1, whatever the design's own Fresnel model; no diffuse term is asked for.
@@ -52,10 +53,7 @@ Row read_tables(const Tables& tables, dvec3 k) {
     Row row;
     row.g = shading.projected_area(k, spot);
     if (row.g > 0) row.P = shading.masking({k, row.g, dvec3{0}});
-    const auto albedo = shading.albedo_spot(k, spot);
-    const double full = shading.albedo_f1(albedo), kept = shading.clamped_part(k, row.g);
-    row.R1 = full * kept;
-    row.R0 = shading.fresnel_albedo(albedo, full, Shading<double>::schlick_weight(k.z), 0) * kept;
+    row.R = read_albedo(shading, k, tables.needs.fresnel_tables);
     return row;
 }
 
@@ -63,9 +61,7 @@ Row integrate(const Reference& reference, dvec3 k, const std::stop_token& stop) 
     Row row{.g = reference.projected_area(k)};
     if (k.z < 0) return row;
     row.P = reference.visibility(k);
-    const AlbedoValues values = reference.albedo(k, stop);
-    row.R1 = values[0];
-    row.R0 = values[1];
+    row.R = reference.albedo(k, stop);
     return row;
 }
 
@@ -76,7 +72,7 @@ int tables(const TablesOptions& options, const Interrupt& interrupt) {
         answer_lines(
             {.directions = 1, .batch = 256},
             [&](std::span<const dvec3> k, std::string& text) {
-                append_row(integrate(reference, k[0], interrupt.token()), true, text);
+                append_row(integrate(reference, k[0], interrupt.token()), reference.layout(), true, text);
             },
             interrupt);
     } else {
@@ -84,7 +80,7 @@ int tables(const TablesOptions& options, const Interrupt& interrupt) {
         answer_lines(
             {.directions = 1},
             [&](std::span<const dvec3> k, std::string& text) {
-                append_row(read_tables(*baked, k[0]), false, text);
+                append_row(read_tables(*baked, k[0]), baked->needs.layout(), false, text);
             },
             interrupt);
     }
@@ -101,8 +97,9 @@ void declare(Command& command, Action& action) {
     command.footer(
         "Reads lines `kx ky kz` (z = normal; any length but 0; # begins a comment line). Prints for each\n"
         "`g P R0 R1`: the projected area of p normalised to 1, the visibility, and the directional albedo\n"
-        "for f0 = 0 and f0 = 1. The tables hold the upper hemisphere; below the horizon g is computed from\n"
-        "p itself, and P, R0 and R1 are 0.");
+        "for f0 = 0 and f0 = 1. Where the layers' tints differ, R0 and R1 in red, green and blue each: `g P\n"
+        "R0r R0g R0b R1r R1g R1b`; a tint that all layers share is left out. The tables hold the upper\n"
+        "hemisphere; below the horizon g is computed from p itself, and P, R0 and R1 are 0.");
     command.when_chosen([options, &action] {
         action = [options](Interrupt& interrupt) { return tables(*options, interrupt); };
     });

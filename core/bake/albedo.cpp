@@ -14,8 +14,8 @@ namespace {
 
 using std::numbers::pi;
 
-void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
+void add(LayerAlbedo& sum, const LayerAlbedo& values) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += values[i];
 }
 
 // The most cells of a lobe of facets, level by level.
@@ -131,7 +131,7 @@ WeightedDirections columns_of(const std::vector<Facet>& facets) {
     return columns;
 }
 
-double difference(const AlbedoValues& a, const AlbedoValues& b) {
+double difference(const LayerAlbedo& a, const LayerAlbedo& b) {
     double most = 0;
     for (std::size_t i = 0; i < a.size(); ++i) most = worse_error(most, std::fabs(a[i] - b[i]));
     return most;
@@ -170,7 +170,7 @@ void AlbedoQuadrature::make_facets(std::size_t level) {
 
 std::size_t AlbedoQuadrature::choose_level(std::size_t lobe, double tolerance) {
     auto evaluate = [&](std::size_t level) {
-        std::array<AlbedoValues, trials> values;
+        std::array<LayerAlbedo, trials> values;
         for (int i = 0; i < trials; ++i) {
             const dvec3 k = trial_direction(distribution_.lobes()[lobe], i);
             values[static_cast<std::size_t>(i)] = over_lobe(lobe, level, k, distribution_.projected_area(k));
@@ -180,10 +180,10 @@ std::size_t AlbedoQuadrature::choose_level(std::size_t lobe, double tolerance) {
     const bool smooth = !distribution_.lobes()[lobe].lobe->spans().empty();
     const std::size_t levels = smooth ? orders : facet_counts.size();
     std::size_t level = level_[lobe];
-    std::array<AlbedoValues, trials> now = evaluate(level);
+    std::array<LayerAlbedo, trials> now = evaluate(level);
     for (; level + 1 < levels; ++level) {
         if (!smooth) make_facets(level + 1);
-        const std::array<AlbedoValues, trials> finer = evaluate(level + 1);
+        const std::array<LayerAlbedo, trials> finer = evaluate(level + 1);
         double worst = 0, squares = 0;
         for (std::size_t i = 0; i < finer.size(); ++i) {
             const double d = difference(now[i], finer[i]);
@@ -215,7 +215,7 @@ bool AlbedoQuadrature::refine_at(const std::vector<dvec3>& directions, double to
             for (std::size_t level = 0; level <= finest; ++level) make_facets(level);
         for (const dvec3 k : directions) {
             const double g = distribution_.projected_area(k);
-            const AlbedoValues best = over_lobe(lobe, finest, k, g);
+            const LayerAlbedo best = over_lobe(lobe, finest, k, g);
             while (level_[lobe] < finest && points() < most_points &&
                    difference(over_lobe(lobe, level_[lobe], k, g), best) > part) {
                 ++level_[lobe];
@@ -227,20 +227,21 @@ bool AlbedoQuadrature::refine_at(const std::vector<dvec3>& directions, double to
 }
 
 AlbedoValues AlbedoQuadrature::operator()(dvec3 k1, double g1) const {
+    const AlbedoLayout layout{channels_, shading_.kinds.tint};
     AlbedoValues sum{};
     for (std::size_t lobe = 0; lobe < level_.size(); ++lobe)
-        add(sum, over_lobe(lobe, level_[lobe], k1, g1), 1);
+        layout.add(over_lobe(lobe, level_[lobe], k1, g1), shading_.layers[lobe].tint, sum);
     return sum;
 }
 
-AlbedoValues AlbedoQuadrature::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
+LayerAlbedo AlbedoQuadrature::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
     const PlacedLobe& placed = distribution_.lobes()[lobe];
     if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
-    AlbedoValues sum{};
+    LayerAlbedo sum{};
     for (const LobeParameterization& span : placed.lobe->spans())
         walk_span(GreatCircleQuadrature(placed, span, k1), level, parted_as(shading_),
                   [&](const WeightedDirections& facets) {
-                      add(sum, sum_albedo(shading_, k1, g1, channels_, facets), 1);
+                      add(sum, sum_albedo(shading_, k1, g1, channels_, facets));
                   });
     return sum;
 }

@@ -7,10 +7,10 @@
 
 namespace nacre {
 
-// One facet's part of R(k1), whatever gives g(k2); see Shading::facet_albedo.
+// One facet's part of R(k1), its tint left out, whatever gives g(k2); see Shading::facet_albedo.
 struct FacetAlbedo {
     template <class AreaOf>
-    AlbedoValues operator()(dvec3 h, const AreaOf& area) const {
+    LayerAlbedo operator()(dvec3 h, const AreaOf& area) const {
         double values[4];
         shading.facet_albedo({k1, g1, dvec3{0}}, h, channels, area, values);
         return {values[0], values[1], values[2], values[3]};
@@ -28,10 +28,10 @@ struct FacetAlbedo {
 // count are chosen once, for all directions.
 class AlbedoQuadrature {
   public:
-    // g(k2) is read from the tables that `shading` holds; channels as in Shading::facet_albedo. `tolerance`
-    // bounds, absolute, what the rule differs from the next finer one on a few directions down to grazing:
-    // half of it in the root mean square, twice at worst; infinity takes the coarsest. Both references are
-    // kept.
+    // g(k2) is read from the tables that `shading` holds, which holds the lobes' tints too; channels as in
+    // Shading::facet_albedo. `tolerance` bounds, absolute, what the rule differs from the next finer one on a
+    // few directions down to grazing: half of it in the root mean square, twice at worst; infinity takes the
+    // coarsest. Both references are kept.
     AlbedoQuadrature(const FacetDistribution& distribution, const Shading<double>& shading, int channels,
                      double tolerance);
 
@@ -42,7 +42,7 @@ class AlbedoQuadrature {
     // which a rule is made may miss what a p does within a narrow range. Whether it had to.
     bool refine_at(const std::vector<dvec3>& directions, double tolerance);
 
-    // R(k1), g(k1) given.
+    // R(k1), g(k1) given; AlbedoLayout of these channels and the shading's tint says of what.
     AlbedoValues operator()(dvec3 k1, double g1) const;
 
   private:
@@ -52,7 +52,7 @@ class AlbedoQuadrature {
     void refine(double tolerance);
     std::size_t choose_level(std::size_t lobe, double tolerance);
     void make_facets(std::size_t level);
-    AlbedoValues over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const;
+    LayerAlbedo over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const;
 
     const FacetDistribution& distribution_;
     const Shading<double>& shading_;

@@ -36,7 +36,8 @@ void AlbedoTable::fill(Workers& workers) {
     const int columns = nodes_.polar, count = columns * nodes_.azimuth;
     const FacetDistribution& distribution = *rules_.area().distribution();
     const Shading<double>& shading = rules_.shading();
-    data_.resize(static_cast<std::size_t>(count * (1 + channels_)));
+    const AlbedoLayout layout = rules_.layout();
+    data_.resize(static_cast<std::size_t>(count * layout.size()));
     kept_.resize(static_cast<std::size_t>(count));
     workers.for_each(count, [&](int i) {
         const int column = i % columns, row = i / columns;
@@ -45,11 +46,16 @@ void AlbedoTable::fill(Workers& workers) {
         kept_[static_cast<std::size_t>(i)] = kept;
         AlbedoValues values = rules_.nodes()(k, g);
         for (double& value : values) value = kept > 0 ? value / kept : 0;
-        data_[static_cast<std::size_t>(i)] = static_cast<float>(values[0]);
+        const auto store = [&](int table, double value) {
+            data_[static_cast<std::size_t>(i + table * count)] = static_cast<float>(value);
+        };
+        const auto full = [&](int c) { return values[static_cast<std::size_t>(c % layout.full())]; };
+        for (int c = 0; c < layout.full(); ++c) store(c, full(c));
         const dvec3 f = channels_ == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
-        for (int c = 0; c < channels_; ++c)
-            data_[static_cast<std::size_t>(i + (c + 1) * count)] =
-                static_cast<float>(values[static_cast<std::size_t>(c + 1)] - f[c] * values[0]);
+        for (int c = 0; c < layout.factors(); ++c) {
+            const int table = layout.full() + c;
+            store(table, values[static_cast<std::size_t>(table)] - f[c] * full(c));
+        }
     });
 }
 
@@ -98,13 +104,13 @@ void AlbedoTable::tell(std::vector<KnownAlbedo>& known) const {
     known.insert(known.end(), probes_.begin(), probes_.end());
 }
 
-// Of the table with F = 1, and of the Fresnel factor that bends most beside it.
+// Of the table with F = 1, and of the other table that bends most beside it.
 std::vector<double> AlbedoTable::cell_bends_of_all() const {
     const Symmetry symmetry = rules_.area().grid().symmetry();
     std::vector<double> bends = cell_bends(nodes_, symmetry, data_.data(), kept_);
-    for (int c = 1; c <= channels_; ++c) {
-        const std::vector<double> other =
-            cell_bends(nodes_, symmetry, data_.data() + static_cast<std::size_t>(c) * kept_.size(), kept_);
+    for (int table = 1; table < rules_.layout().size(); ++table) {
+        const float* const values = data_.data() + static_cast<std::size_t>(table) * kept_.size();
+        const std::vector<double> other = cell_bends(nodes_, symmetry, values, kept_);
         for (std::size_t i = 0; i < bends.size(); ++i) bends[i] = worse_error(bends[i], other[i]);
     }
     return bends;
@@ -184,7 +190,8 @@ void AlbedoTable::place(Shading<double>& shading, TableNodes nodes, int offset) 
     shape.nodes_v = nodes.polar;
     shape.nodes_rho = nodes.azimuth;
     shape.albedo_offset = offset;
-    shape.residual_offset = offset + nodes.polar * nodes.azimuth;
+    const AlbedoLayout layout{0, shading.kinds.tint};
+    shape.residual_offset = offset + layout.full() * nodes.polar * nodes.azimuth;
 }
 
 }  // namespace nacre

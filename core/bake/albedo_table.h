@@ -35,6 +35,7 @@ class AlbedoSampling {
     const AlbedoQuadrature& probes() const { return probes_; }
     int most_probes() const { return effort_.probes; }
     int channels() const { return channels_; }
+    AlbedoLayout layout() const { return {channels_, shading_.kinds.tint}; }
 
     // Lets both rules keep their tolerance at those directions too; whether they had to change.
     bool refine_at(const std::vector<dvec3>& directions) {
@@ -79,7 +80,7 @@ class AlbedoTable {
     double worst_at(const std::vector<KnownAlbedo>& known) const;
     std::vector<dvec3> worst_of(const std::vector<KnownAlbedo>& known, std::size_t count) const;
 
-    // R G/g with F = 1, then the Fresnel factors' differences, as the shader reads them.
+    // R G/g with F = 1, then the Fresnel factors' differences, as the shader reads them; see AlbedoLayout.
     const std::vector<float>& data() const { return data_; }
 
     // Sets the shader's offsets for tables that begin at `offset` of its data.

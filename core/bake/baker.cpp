@@ -20,9 +20,12 @@ constexpr double final_coupling = 1e-7, draft_coupling = 1e-4;
 // A draft's grid is refitted when the error of g has grown by this factor since.
 constexpr double outgrown = 2, outgrown_min = 5e-3;
 
-// Names are not facets.
-Distribution without_names(Distribution distribution) {
-    for (Layer& layer : distribution.layers) layer.name.clear();
+// Names and tints are not facets.
+Distribution facets_alone(Distribution distribution) {
+    for (Layer& layer : distribution.layers) {
+        layer.name.clear();
+        layer.tint = dvec3{1};
+    }
     return distribution;
 }
 
@@ -32,14 +35,24 @@ bool same_place(const Layer& a, const Layer& b) {
 
 // Everything that the table of g and its measured error depend on.
 bool same_area(const Design& a, const Design& b) {
-    return a.distribution == b.distribution && a.shadowing.clamp == b.shadowing.clamp;
+    return facets_alone(a.distribution) == facets_alone(b.distribution) &&
+           a.shadowing.clamp == b.shadowing.clamp;
+}
+
+// A tint that all layers share is not in the tables of R.
+bool same_tints(const Distribution& a, const Distribution& b) {
+    const bool varied = tint_of(a) == Tint::varied;
+    if (varied != (tint_of(b) == Tint::varied)) return false;
+    return !varied || std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(),
+                                 [](const Layer& one, const Layer& other) { return one.tint == other.tint; });
 }
 
 // Everything that the tables of R depend on, given the same g.
 bool same_albedo(const Design& a, const Design& b) {
     const bool linear = fresnel_tables(a.fresnel) == FresnelTables::linear &&
                         fresnel_tables(b.fresnel) == FresnelTables::linear;
-    return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel);
+    return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel) &&
+           same_tints(a.distribution, b.distribution);
 }
 
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
@@ -104,8 +117,9 @@ Baker::KeptArea Baker::make_area(const Kept& made, const Followed& now, const Sh
     area_origin_ = TableOrigin::updated;
     if (auto summed = sum_area(made, now, material, workers)) return std::move(*summed);
     area_origin_ = TableOrigin::rebuilt;
-    const bool many =
-        made.options.quality == Quality::final && count_facets(made.design.distribution) > many_facets;
+    // Merged facets have no layers, whose tints R would need.
+    const bool many = made.options.quality == Quality::final && made.needs.tint != Tint::varied &&
+                      count_facets(made.design.distribution) > many_facets;
     const std::shared_ptr<const FacetDistribution> tabled =
         many ? workers.run([&] { return merge_facets(made.design.distribution, *now.distribution); })
              : now.distribution;
@@ -135,8 +149,9 @@ Baker::KeptAlbedo Baker::make_albedo(const Kept& made, const Shading<double>& ma
 // Keeps of the tables before what the design does not change.
 void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const Followed& now,
                           const Shading<double>& material, Workers& workers) {
-    const bool keep_area =
-        before && same_wishes(before->options, made.options) && same_area(before->design, made.design);
+    const bool keep_area = before && same_wishes(before->options, made.options) &&
+                           same_area(before->design, made.design) &&
+                           before->needs.symmetry == made.needs.symmetry;
     const bool keep_albedo = keep_area && before->albedo.data && same_albedo(before->design, made.design);
     area_origin_ = albedo_origin_ = TableOrigin::reused;
     made.distribution = keep_area ? before->distribution : now.distribution;
@@ -167,9 +182,9 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     };
     report(0);
     Kept made{.design = named, .options = options};
-    made.design.distribution = without_names(named.distribution);
     made.needs = needs_of(named, {options.albedo, options.symmetry});
-    const Followed now = workers.run([&] { return follow(made.design.distribution); });
+    const Distribution facets = facets_alone(named.distribution);
+    const Followed now = workers.run([&] { return follow(facets); });
     report(0.1);
     auto tables = std::make_shared<Tables>();
     describe_material(named, *now.distribution, tables->shading);
@@ -178,7 +193,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     choose_tables(made, slot, now, tables->shading, workers);
     report(0.9);
     assemble(made, *tables, workers);
-    before_ = made.design.distribution;
+    before_ = facets;
     distribution_ = made.distribution;
     slot = std::move(made);
     tables->seconds = time.seconds();

@@ -12,7 +12,7 @@ namespace nacre {
 namespace {
 
 using std::numbers::pi;
-using Integrals = Values<4>;  // R with F = 1, then (whole - R)+ of three colours
+using Integrals = Values<6>;  // R with F = 1 of three colours, then (whole - R)+ of each
 
 // Below this part of pi nothing is left for the diffuse term; 1/integral would only blow up rounding.
 constexpr double nothing_left = 1e-9;
@@ -66,7 +66,7 @@ AlbedoIntegrals integrate_albedo(const Shading<double>& shading, double toleranc
         std::vector<Integrals> parts(azimuths.size() - 1);
         workers.for_each(static_cast<int>(parts.size()), [&](int i) {
             const std::size_t at = static_cast<std::size_t>(i);
-            parts[at] = integrate_adaptively<4>([&](double phi) { return integrate_meridian(shading, phi); },
+            parts[at] = integrate_adaptively<6>([&](double phi) { return integrate_meridian(shading, phi); },
                                                 azimuths[at], azimuths[at + 1], tolerance, 12);
         });
         for (const Integrals& part : parts)
@@ -74,9 +74,10 @@ AlbedoIntegrals integrate_albedo(const Shading<double>& shading, double toleranc
     }
     for (double& value : sum) value *= 2 * pi / covered;
     AlbedoIntegrals result;
-    result.mean = sum[0] / pi;
     for (int i = 0; i < 3; ++i) {
-        const double rest = sum[static_cast<std::size_t>(i + 1)];
+        const auto at = static_cast<std::size_t>(i);
+        result.mean[i] = sum[at] / pi;
+        const double rest = sum[3 + at];
         result.coupling[i] = rest > nothing_left * pi ? 1 / rest : 0;
     }
     return result;

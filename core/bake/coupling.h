@@ -8,7 +8,8 @@
 namespace nacre {
 
 struct AlbedoIntegrals {
-    double mean = 0;  // (1/pi) integral of R cos dk, F = 1
+    // (1/pi) integral of R cos dk, F = 1, for each colour; a tint that all layers share is left out
+    glm::dvec3 mean{0};
     glm::dvec3 coupling{
         0};  // c = 1/integral of (whole - R)+ cos dk for each colour, 1/sr; 0 where nothing is left
 };

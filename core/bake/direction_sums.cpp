@@ -29,25 +29,26 @@ struct TableArea {
 };
 
 // values(direction, out) of every direction times its weight. Past the end weights are 0.
-template <class ValuesAt>
+template <std::size_t Size, class ValuesAt>
 HWY_FLATTEN HWY_ATTR void weigh(const WeightedDirections& directions, const ValuesAt& values_at,
-                                Values<4>& sum) {
+                                Values<Size>& sum) {
     const Doubles d;
-    Real sums[4] = {0.0, 0.0, 0.0, 0.0};
+    Real sums[Size];
+    for (Real& zero : sums) zero = Real(0.0);
     for (std::size_t i = 0; i < directions.size(); i += hn::Lanes(d)) {
         const std::size_t rest = directions.size() - i;
         const Lanes::real3 h =
             load_directions(directions.x() + i, directions.y() + i, directions.z() + i, rest);
         const Real weight = load(directions.weight() + i, rest);
-        Real values[4];
+        Real values[Size];
         values_at(h, values);
-        for (int c = 0; c < 4; ++c) sums[c] += values[c] * weight;
+        for (std::size_t c = 0; c < Size; ++c) sums[c] += values[c] * weight;
     }
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = hn::GetLane(hn::SumOfLanes(d, sums[c].v));
+    for (std::size_t c = 0; c < Size; ++c) sum[c] = hn::GetLane(hn::SumOfLanes(d, sums[c].v));
 }
 
 void sum_over_facets(const Shading<double>& material, const Shading<double>::Direction& from, int channels,
-                     const WeightedDirections& facets, Values<4>& sum) {
+                     const WeightedDirections& facets, LayerAlbedo& sum) {
     Lanes shading;
     copy_surface(shading, material);
     Table table;
@@ -61,20 +62,23 @@ void sum_over_facets(const Shading<double>& material, const Shading<double>::Dir
         sum);
 }
 
-void sum_over_shares(const Shading<double>& material, const WeightedDirections& directions, Values<4>& sum) {
+void sum_over_shares(const Shading<double>& material, const WeightedDirections& directions, Values<6>& sum) {
     Lanes shading;
     copy_surface(shading, material);
     weigh(
         directions,
-        [&](Lanes::real3 k, Real(&values)[4]) HWY_ATTR {
+        [&](Lanes::real3 k, Real(&values)[6]) HWY_ATTR {
             const Lanes::TableSpot spot = shading.table_spot(k);
             const Real g = shading.projected_area(k, spot);
             const Lanes::AlbedoSpot albedo = shading.albedo_spot(k, spot);
             const Lanes::real3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
-            values[0] = shading.albedo_f1(albedo) * shading.clamped_part(k, g);
-            values[1] = share.x;
-            values[2] = share.y;
-            values[3] = share.z;
+            const Lanes::real3 full = shading.colour_albedo_f1(albedo) * shading.clamped_part(k, g);
+            values[0] = full.x;
+            values[1] = full.y;
+            values[2] = full.z;
+            values[3] = share.x;
+            values[4] = share.y;
+            values[5] = share.z;
         },
         sum);
 }
@@ -90,15 +94,15 @@ namespace nacre {
 HWY_EXPORT(sum_over_facets);
 HWY_EXPORT(sum_over_shares);
 
-AlbedoValues sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
-                        const WeightedDirections& facets) {
-    AlbedoValues sum{};
+LayerAlbedo sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
+                       const WeightedDirections& facets) {
+    LayerAlbedo sum{};
     HWY_DYNAMIC_DISPATCH(sum_over_facets)(shading, {k1, g1, dvec3{0}}, channels, facets, sum);
     return sum;
 }
 
-Values<4> sum_shares(const Shading<double>& shading, const WeightedDirections& directions) {
-    Values<4> sum{};
+Values<6> sum_shares(const Shading<double>& shading, const WeightedDirections& directions) {
+    Values<6> sum{};
     HWY_DYNAMIC_DISPATCH(sum_over_shares)(shading, directions, sum);
     return sum;
 }

@@ -4,14 +4,11 @@
 
 #include <vector>
 
+#include "core/bake/albedo_values.h"
 #include "core/model/lobe.h"
-#include "core/model/quadrature.h"
 #include "core/model/shading.h"
 
 namespace nacre {
-
-// R with F = 1, then with one or three Fresnel factors (Schlick's weight, or the design's exact F).
-using AlbedoValues = Values<4>;
 
 // Unit vectors in columns, each with its weight.
 class WeightedDirections {
@@ -45,11 +42,11 @@ class WeightedDirections {
 
 // What facets add to R(k1), weights being their masses p dh; g(k1) = g1, g(k2) from the tables of `shading`.
 // See Shading::facet_albedo.
-AlbedoValues sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
-                        const WeightedDirections& facets);
+LayerAlbedo sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
+                       const WeightedDirections& facets);
 
-// R with F = 1, then (whole - R)+ of three colours, as the finished tables of `shading` hold them; see
-// Shading::diffuse_share.
-Values<4> sum_shares(const Shading<double>& shading, const WeightedDirections& directions);
+// R with F = 1 of three colours, a tint that all share left out, then their (whole - R)+, as the finished
+// tables of `shading` hold them; see Shading::diffuse_share.
+Values<6> sum_shares(const Shading<double>& shading, const WeightedDirections& directions);
 
 }  // namespace nacre

@@ -10,7 +10,7 @@ namespace {
 
 bool uses_picture(const Design& design) {
     return std::any_of(design.distribution.layers.begin(), design.distribution.layers.end(),
-                       [](const Layer& l) { return l.enabled && l.weight > 0 && holds_picture(l); });
+                       [](const Layer& l) { return counts(l) && holds_picture(l); });
 }
 
 int count_fresnel_tables(const Fresnel& fresnel) {
@@ -32,6 +32,7 @@ Needs needs_of(const Design& design, const MoreNeeds& more) {
     needs.symmetry = find_symmetry(design.distribution);
     if (more.symmetry) needs.symmetry.symmetry = std::max(needs.symmetry.symmetry, *more.symmetry);
     needs.albedo = more.albedo || reads_albedo(design.diffuse);
+    needs.tint = tint_of(design.distribution);
     if (needs.albedo) needs.fresnel_tables = count_fresnel_tables(design.fresnel);
     return needs;
 }
@@ -57,7 +58,7 @@ std::vector<Omission> omissions_of(const Design& design, const Needs& needs) {
     if (!needs.albedo) leave_out(Part::albedo, "albedo tables R0 and R1", "no diffuse term or light reads R");
     if (needs.albedo && needs.fresnel_tables == 0)
         leave_out(Part::fresnel_table, "Fresnel albedo table", "F = 1");
-    if (needs.fresnel_tables == 1)
+    if (needs.fresnel_tables == 1 && needs.tint != Tint::varied)
         leave_out(Part::fresnel_colours, "Fresnel albedo for each colour", "Schlick's R is linear in f0");
     if (!uses_picture(design)) leave_out(Part::pictures, "pictures", "no layer is painted or modulated");
     if (fresnel_tables(design.fresnel) == FresnelTables::none)

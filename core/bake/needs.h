@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bake/albedo_values.h"
 #include "core/bake/symmetry.h"
 #include "core/design/design.h"
 
@@ -15,7 +16,10 @@ namespace nacre {
 struct Needs {
     DistributionSymmetry symmetry;
     bool albedo = false;     // R(k) with F = 1, and with the design's Fresnel factor
-    int fresnel_tables = 0;  // of R. 0: F = 1 alone; 1: Schlick's weight; 3: exact, a colour each
+    int fresnel_tables = 0;  // of a facet. 0: F = 1 alone; 1: Schlick's weight; 3: exact, a colour each
+    Tint tint = Tint::none;  // varied: of R every colour is wanted
+
+    AlbedoLayout layout() const { return {fresnel_tables, tint}; }
 
     bool operator==(const Needs&) const = default;
 };

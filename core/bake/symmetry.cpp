@@ -53,7 +53,8 @@ bool upright(const Layer& layer) { return std::fabs(layer.tilt) < 1e-12; }
 // `b` is the mirror image of `a` about the azimuth `axis`.
 bool mirrored(const Part& part, const Layer& b, double axis) {
     const Layer& a = *part.layer;
-    if (a.weight != b.weight || a.lobe != b.lobe || a.modulation != b.modulation || a.tilt != b.tilt)
+    if (a.weight != b.weight || a.lobe != b.lobe || a.modulation != b.modulation || a.tilt != b.tilt ||
+        a.tint != b.tint)
         return false;
     if (!upright(a) && !same_angle(2 * axis - a.azimuth, b.azimuth, 360)) return false;
     if (is_round(a)) return true;
@@ -97,7 +98,7 @@ DistributionSymmetry find_symmetry(const Distribution& distribution) {
     std::vector<Part> parts;
     bool isotropic = true;
     for (const Layer& layer : distribution.layers) {
-        if (!layer.enabled || layer.weight <= 0) continue;
+        if (!counts(layer)) continue;
         parts.push_back({&layer, picture_mirrors(layer)});
         isotropic = isotropic && is_round(layer) && upright(layer);
     }

@@ -14,7 +14,8 @@ struct DistributionSymmetry {
     bool operator==(const DistributionSymmetry&) const = default;
 };
 
-// Never claims a symmetry that p does not have; angles count as equal within 1e-9 degrees.
+// Never claims a symmetry that p does not have, or that the layers' tints do not share: R has it too. Angles
+// count as equal within 1e-9 degrees.
 DistributionSymmetry find_symmetry(const Distribution& distribution);
 
 const char* name_of(Symmetry symmetry);

@@ -195,7 +195,7 @@ FittedAlbedo fit_albedo(const AreaTable& area, const AxisError& area_error, cons
     const double rest = std::max(tolerance - area_error.all.root_mean_square, 0.3 * tolerance);
     const double target =
         std::max(albedo_part * tolerance - area_error.all.root_mean_square, 0.3 * tolerance);
-    const int area_floats = static_cast<int>(area.data().size()), tables = 1 + needs.fresnel_tables;
+    const int area_floats = static_cast<int>(area.data().size()), tables = needs.layout().size();
     const int usual = std::max(floats_usual - area_floats, floats_usual - area_floats_usual) / tables;
     const FitWishes wishes{
         fixed ? never : target, fixed ? never : rest, fixed ? 0 : usual,

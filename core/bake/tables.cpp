@@ -7,7 +7,7 @@ namespace nacre {
 
 std::size_t Tables::table_floats() const {
     const std::size_t area = static_cast<std::size_t>(size.psi) * static_cast<std::size_t>(size.w);
-    const std::size_t albedos = needs.albedo ? 1 + static_cast<std::size_t>(needs.fresnel_tables) : 0;
+    const std::size_t albedos = needs.albedo ? static_cast<std::size_t>(needs.layout().size()) : 0;
     const std::size_t albedo = static_cast<std::size_t>(size.rho) * static_cast<std::size_t>(size.v);
     return area + albedos * albedo;
 }
@@ -24,22 +24,26 @@ double area_error(const Shading<double>& shading, dvec3 k, double read, double e
     return divisor > 0 ? std::fabs(std::max(read, floor) - std::max(exact, floor)) / divisor : 0;
 }
 
-Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels) {
+AlbedoValues read_albedo(const Shading<double>& shading, dvec3 k, int channels) {
+    const AlbedoLayout layout{channels, shading.kinds.tint};
     const auto spot = shading.table_spot(k);
     const auto albedo = shading.albedo_spot(k, spot);
-    const double full = shading.albedo_f1(albedo);
+    const dvec3 full = shading.colour_albedo_f1(albedo);
     const double kept = shading.clamped_part(k, shading.projected_area(k, spot));
     const dvec3 f = channels == 1 ? dvec3{Shading<double>::schlick_weight(k.z)} : shading.fresnel(k.z);
-    Values<4> values{full * kept};
-    for (int c = 0; c < channels; ++c)
-        values[static_cast<std::size_t>(c + 1)] = shading.fresnel_albedo(albedo, full, f[c], c) * kept;
+    AlbedoValues values{};
+    for (int c = 0; c < layout.full(); ++c) values[static_cast<std::size_t>(c)] = full[c] * kept;
+    for (int c = 0; c < layout.factors(); ++c)
+        values[static_cast<std::size_t>(layout.full() + c)] =
+            shading.fresnel_albedo(albedo, full[c], f[c], c) * kept;
     return values;
 }
 
-double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels) {
-    const Values<4> read = read_albedo(shading, k, channels);
+double albedo_error(const Shading<double>& shading, dvec3 k, const AlbedoValues& exact, int channels) {
+    const AlbedoLayout layout{channels, shading.kinds.tint};
+    const AlbedoValues read = read_albedo(shading, k, channels);
     double error = 0;
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(channels); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(layout.size()); ++i)
         error = worse_error(error, std::fabs(read[i] - exact[i]));
     return error;
 }

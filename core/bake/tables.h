@@ -51,11 +51,11 @@ struct Tables {
     std::vector<float> data;
     Shading<double> shading;
 
-    dvec3 mean{0};           // H = <h>, p normalised to 1
-    double intensity = 1;    // of the specular term, not in R
-    double mean_albedo = 0;  // (1/pi) integral of R cos dk with F = 1, of the interpolant; 0 without R
-    double tolerance = 0;    // that the bake was asked for
-    TableErrors errors;      // measured by the bake, on directions between nodes
+    dvec3 mean{0};                                    // H = <h>, p normalised to 1
+    double intensity = 1;                             // of the specular term, not in R
+    dvec3 mean_albedo{0};                             // AlbedoIntegrals::mean; 0 without R
+    double tolerance = 0;                             // that the bake was asked for
+    TableErrors errors;                               // measured by the bake, on directions between nodes
     std::vector<TriedSize> tried_area, tried_albedo;  // on the way to `size`
     double seconds = 0;                               // duration of the request
     double bake_seconds = 0;  // duration of making the tables, for this request or an earlier one
@@ -72,11 +72,11 @@ double area_error(const Shading<double>& shading, dvec3 k, double exact);
 // are measured alike; `shading` holds the design's finished tables, for N, the clamp and p's own width.
 double area_error(const Shading<double>& shading, dvec3 k, double read, double exact);
 
-// R at k as the tables hold it, with F = 1 and with each of the Fresnel factors; k.z >= 0.
-Values<4> read_albedo(const Shading<double>& shading, dvec3 k, int channels);
+// R at k as the tables hold it, see AlbedoLayout; k.z >= 0.
+AlbedoValues read_albedo(const Shading<double>& shading, dvec3 k, int channels);
 
-// Error of that, the largest over the factors; `exact` as AlbedoQuadrature gives it.
-double albedo_error(const Shading<double>& shading, dvec3 k, const Values<4>& exact, int channels);
+// Error of that, of the value with the largest; `exact` as AlbedoQuadrature gives it.
+double albedo_error(const Shading<double>& shading, dvec3 k, const AlbedoValues& exact, int channels);
 
 // The larger of two errors; NaN counts as infinite.
 double worse_error(double a, double b);

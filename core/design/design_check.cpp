@@ -9,8 +9,6 @@
 namespace nacre {
 namespace {
 
-bool counts(const Layer& layer) { return layer.enabled && layer.weight > 0; }
-
 bool is_whole_sphere(const Layer& layer) {
     const auto* const uniform = std::get_if<UniformLobe>(&layer.lobe);
     const bool modulated = layer.modulation && layer.modulation->strength > 0;

@@ -142,6 +142,8 @@ std::string model_text(const Variant& model) {
     return "\"model\": " + quoted(kind_name(model)) + parameters_text(model);
 }
 
+bool is_tinted(const Layer& layer) { return layer.tint != glm::dvec3{1}; }
+
 std::string layer_text(const Layer& layer, const std::string& where, const Target& target) {
     std::string text;
     if (!layer.name.empty()) text += fmt::format("\"name\": {}, ", quoted(layer.name));
@@ -150,6 +152,7 @@ std::string layer_text(const Layer& layer, const std::string& where, const Targe
     text += parameters_text(layer.lobe);
     text += fmt::format(", \"tilt\": {}, \"azimuth\": {}, \"rotation\": {}", number(layer.tilt),
                         number(layer.azimuth), number(layer.rotation));
+    if (is_tinted(layer)) text += fmt::format(", \"tint\": {}", colour(layer.tint));
     text += lobe_pictures_text(layer.lobe, where, target);
     if (layer.modulation)
         text += fmt::format(", \"modulation\": {{\"strength\": {}, \"image\": {}}}",
@@ -184,7 +187,11 @@ std::string design_text(const Design& design, const Target& target) {
 
 }  // namespace
 
-int version_of(const Design& design) { return design.specular == Specular{} ? 1 : 2; }
+int version_of(const Design& design) {
+    const std::vector<Layer>& layers = design.distribution.layers;
+    const bool tinted = std::any_of(layers.begin(), layers.end(), is_tinted);
+    return tinted || design.specular != Specular{} ? 2 : 1;
+}
 
 std::string design_json(const Design& design, const fs::path& base_dir) {
     return design_text(design, {absolute_folder(base_dir), "design"});

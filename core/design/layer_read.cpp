@@ -29,6 +29,7 @@ Layer read_layer(const JsonValue& json, const std::filesystem::path& base_dir) {
     reader.number("tilt", layer.tilt, {0, limits::tilt_max});
     reader.number("azimuth", layer.azimuth, {-limits::angle_max, limits::angle_max});
     reader.number("rotation", layer.rotation, {-limits::angle_max, limits::angle_max});
+    reader.colour("tint", layer.tint, {0, 1});
     if (reader.has("modulation")) layer.modulation = read_modulation(reader.at("modulation"), base_dir);
     reader.finish(fmt::format("a layer with the lobe \"{}\"", kind_name(layer.lobe)));
     load_pictures(reader, layer.lobe, base_dir);

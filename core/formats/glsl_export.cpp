@@ -35,12 +35,16 @@ struct FieldList {
     }
 };
 
+// Without the field `left_out`.
 template <class Struct>
-std::string constructor(const char* name, const Struct& value, const std::string& first = {}) {
+std::string constructor(const char* name, const Struct& value, const std::string& first = {},
+                        std::string_view left_out = {}) {
     std::string text = fmt::format("{}(", name);
     FieldList fields{text};
     if (!first.empty()) fields.add(first);
-    visit_fields(value, [&](const char* field, const auto& v) { fields(field, v); });
+    visit_fields(value, [&](const char* field, const auto& v) {
+        if (field != left_out) fields(field, v);
+    });
     return text + ")";
 }
 
@@ -64,9 +68,10 @@ std::string constants(const Tables& tables) {
         constructor("Surface", shading.surface, constructor("TableShape", shading.surface.tables)));
     text += fmt::format("const int layer_count = {};\nconst Layer layers[{}] = Layer[{}](\n",
                         shading.layer_count, shading.layer_count, shading.layer_count);
+    const std::string_view left_out = shading.kinds.tint == Tint::none ? "tint" : "";
     for (int i = 0; i < shading.layer_count; ++i)
-        text +=
-            "    " + constructor("Layer", shading.layers[i]) + (i + 1 < shading.layer_count ? ",\n" : ");\n");
+        text += "    " + constructor("Layer", shading.layers[i], {}, left_out) +
+                (i + 1 < shading.layer_count ? ",\n" : ");\n");
     text += fmt::format("\nconst float data[{}] = float[{}]({}", tables.data.size(), tables.data.size(),
                         numbers_here);
     return text + ");\n\nfloat fetch(int index) {\n    return data[index];\n}\n";
@@ -104,8 +109,8 @@ std::string without_comments(const std::string& text) {
 
 std::string glsl_export(const Design& design, const Tables& tables, const std::string& prefix) {
     ShaderVariant variant = variant_of(tables.shading);
-    std::string body =
-        variant_definitions(variant) + shared_parameters() + constants(tables) + shared_mathematics(variant);
+    std::string body = variant_definitions(variant) + shared_parameters(variant) + constants(tables) +
+                       shared_mathematics(variant);
     std::string head = fmt::format(
         "// {0}: a BRDF made by Nacre (Ashikhmin, Premoze, Shirley 2000). GLSL 3.30 or later.\n"
         "// vec3 {1}_brdf(vec3 k1, vec3 k2): 1/sr. Unit vectors away from the surface, x tangent, y "

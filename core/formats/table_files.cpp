@@ -19,16 +19,16 @@ std::vector<float> part(const Tables& tables, int offset, int count) {
     return {begin, begin + count};
 }
 
-// The Fresnel residuals lie one after the other in the data and side by side in a pixel.
-TablePicture residual_picture(const Tables& tables) {
+// Tables of R for each colour lie one after the other in the data and side by side in a pixel.
+TablePicture albedo_picture(const Tables& tables, const char* quantity, int offset, int channels) {
     const auto& shape = tables.shading.surface.tables;
-    const int size = shape.nodes_v * shape.nodes_rho, channels = tables.needs.fresnel_tables;
-    TablePicture picture{"residual.exr", "residual", "v", "rho", {shape.nodes_v, shape.nodes_rho}, {"Y"}, {}};
+    const int size = shape.nodes_v * shape.nodes_rho;
+    TablePicture picture{std::string(quantity) + ".exr",   quantity, "v", "rho",
+                         {shape.nodes_v, shape.nodes_rho}, {"Y"},    {}};
     if (channels == 3) picture.channels = {"R", "G", "B"};
     for (int i = 0; i < size; ++i)
         for (int c = 0; c < channels; ++c)
-            picture.values.push_back(
-                tables.data[static_cast<std::size_t>(shape.residual_offset + c * size + i)]);
+            picture.values.push_back(tables.data[static_cast<std::size_t>(offset + c * size + i)]);
     return picture;
 }
 
@@ -68,15 +68,11 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
                         {shape.nodes_w, shape.nodes_psi},
                         {"Y"},
                         part(tables, shape.area_offset, shape.nodes_w * shape.nodes_psi)});
+    const AlbedoLayout layout = tables.needs.layout();
     if (tables.needs.albedo)
-        pictures.push_back({"albedo.exr",
-                            "albedo",
-                            "v",
-                            "rho",
-                            {shape.nodes_v, shape.nodes_rho},
-                            {"Y"},
-                            part(tables, shape.albedo_offset, shape.nodes_v * shape.nodes_rho)});
-    if (tables.needs.albedo && tables.needs.fresnel_tables > 0) pictures.push_back(residual_picture(tables));
+        pictures.push_back(albedo_picture(tables, "albedo", shape.albedo_offset, layout.full()));
+    if (tables.needs.albedo && layout.factors() > 0)
+        pictures.push_back(albedo_picture(tables, "residual", shape.residual_offset, layout.factors()));
     add_layer_pictures(tables, pictures);
     pictures.push_back(corners_picture());
     return pictures;

@@ -27,6 +27,7 @@ Json layer_json(const Tables& tables, int index, const Lobe& lobe) {
                  {"axis_y", numbers(layer.axis_y)},
                  {"axis_z", numbers(layer.axis_z)},
                  {"inverse_width", numbers(layer.inverse_width)}};
+    if (tables.needs.tint == Tint::varied) json["tint"] = numbers(layer.tint);
     if (std::holds_alternative<CurveLobe>(lobe)) {
         Json curve = Json::array();
         for (int i = 0; i < layer.data_size; ++i) {
@@ -47,7 +48,7 @@ Json layer_json(const Tables& tables, int index, const Lobe& lobe) {
 std::vector<const Lobe*> lobes_in_use(const Distribution& distribution) {
     std::vector<const Lobe*> lobes;
     for (const Layer& layer : distribution.layers)
-        if (layer.enabled && layer.weight > 0) lobes.push_back(&layer.lobe);
+        if (counts(layer)) lobes.push_back(&layer.lobe);
     return lobes;
 }
 
@@ -56,7 +57,7 @@ Json distribution_json(const Design& design, const Tables& tables) {
     Json layers = Json::array();
     for (int i = 0; i < tables.shading.layer_count; ++i)
         layers.push_back(layer_json(tables, i, *lobes.at(static_cast<std::size_t>(i))));
-    return {
+    Json json = {
         {"p",
          "density of facet normals h on the sphere, 1/sr, integral 1: the sum over the layers of scale * "
          "lobe"},
@@ -71,6 +72,12 @@ Json distribution_json(const Design& design, const Tables& tables) {
          "where z <= 0"},
         {"modulation", "the lobe times 1 - modulation_strength + modulation_strength picture(x, y, z)"},
         {"layers", std::move(layers)}};
+    if (tables.needs.tint == Tint::varied)
+        json["q"] =
+            "what the specular term takes in place of p, each colour: the sum over the layers of tint * "
+            "scale * "
+            "lobe";
+    return json;
 }
 
 const char* fold_rule(Symmetry symmetry) {
@@ -133,17 +140,18 @@ Json evaluation_json(const Design& design, const Tables& tables) {
 
 // What R0 and R mean with each Fresnel model.
 void add_fresnel_rules(const Tables& tables, Json& json) {
+    const bool shared = tables.needs.tint == Tint::shared;
     switch (tables.shading.kinds.fresnel_tables()) {
         case FresnelTables::none:
-            json["albedo_of_design"] = "R = R1";
+            json["albedo_of_design"] = shared ? "R = tint R1" : "R = R1";
             break;
         case FresnelTables::linear:
             json["fresnel_at_n"] = "F0 = (1 - z)^5";
-            json["albedo_of_design"] = "R = f0 R1 + (1 - f0) R0";
+            json["albedo_of_design"] = shared ? "R = tint (f0 R1 + (1 - f0) R0)" : "R = f0 R1 + (1 - f0) R0";
             break;
         case FresnelTables::exact:
             json["fresnel_at_n"] = "F0 = F(z): the F of `brdf` at c = z, each colour";
-            json["albedo_of_design"] = "R = R0: each colour";
+            json["albedo_of_design"] = shared ? "R = tint R0: each colour" : "R = R0: each colour";
             break;
     }
 }
@@ -184,6 +192,7 @@ Json material_json(const Design& design, const Tables& tables) {
     if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
     if (tables.needs.albedo) json["coupling"] = numbers(surface.coupling);
     if (has_intensity(design)) json["specular_intensity"] = design.specular.intensity;
+    if (tables.needs.tint == Tint::shared) json["tint"] = numbers(tables.shading.layers[0].tint);
     return json;
 }
 
@@ -192,7 +201,12 @@ const char* formula_of(const Variant& model) {
     return std::visit([]<class T>(const T&) { return T::formula; }, model);
 }
 
-Json brdf_json(const Design& design) {
+std::string specular_formula(const Design& design, Tint tint) {
+    return fmt::format("specular = {}{}{}(h) F V/4", has_intensity(design) ? "specular_intensity " : "",
+                       tint == Tint::shared ? "tint " : "", tint == Tint::varied ? "q" : "p");
+}
+
+Json brdf_json(const Design& design, Tint tint) {
     return {
         "h = normalize(k1 + k2); c = dot(k1, h): k1 toward the light, k2 toward the viewer; rho, 1/sr, is 0 "
         "where "
@@ -200,7 +214,7 @@ Json brdf_json(const Design& design) {
         design.shadowing.clamp ? "G1 = max(g1, N z1); G2 = max(g2, N z2)" : "G1 = g1; G2 = g2",
         formula_of(design.shadowing.model),
         formula_of(design.fresnel),
-        has_intensity(design) ? "specular = specular_intensity p(h) F V/4" : "specular = p(h) F V/4",
+        specular_formula(design, tint),
         formula_of(design.diffuse)};
 }
 
@@ -234,7 +248,8 @@ std::string table_manifest(const Design& design, const Tables& tables,
                          {"stretch", numbers(shape.stretch)},
                          {"lean", shape.lean},
                          {"mean_normal", numbers(tables.mean)},
-                         {"mean_albedo", tables.mean_albedo}};
+                         {"mean_albedo", tables.mean_albedo.x}};
+    if (tables.needs.tint == Tint::varied) json["constants"]["mean_albedo"] = numbers(tables.mean_albedo);
     json["material"] = material_json(design, tables);
     json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
@@ -242,7 +257,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
         json["validity"] = note;
     json["evaluate"] = evaluation_json(design, tables);
     if (tables.needs.albedo) add_fresnel_rules(tables, json);
-    json["brdf"] = brdf_json(design);
+    json["brdf"] = brdf_json(design, tables.needs.tint);
     json["tables"] = pictures_json(pictures);
     json["texels"] = {
         {"w, v", "column i of n stands at i/(n-1): texels on both ends, not at centres"},

@@ -14,6 +14,7 @@ namespace nacre {
 //
 //   reads_albedo  whether it reads R, so that the tables must hold it
 //   shader()      the numbers that shaders/diffuse/NAME.glsl reads; f0 is F(1) of the design
+//                 times its mean tint
 //   own_albedo()  the albedo it was given, if it has one of its own; of_albedo() carries one on
 //   formula       the whole BRDF, as the manifest of exported tables has it
 //   note          what the window says of it where it has no parameter

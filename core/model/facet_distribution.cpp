@@ -41,10 +41,10 @@ FacetDistribution::FacetDistribution(const Distribution& distribution, const Lob
     for (const Layer& layer : distribution.layers)
         if (layer.enabled) largest = std::fmax(largest, layer.weight);
     for (const Layer& layer : distribution.layers)
-        if (layer.enabled && layer.weight > 0) total += layer.weight / largest;
+        if (counts(layer)) total += layer.weight / largest;
     for (std::size_t i = 0; i < distribution.layers.size(); ++i) {
         const Layer& layer = distribution.layers[i];
-        if (!layer.enabled || layer.weight <= 0) continue;
+        if (!counts(layer)) continue;
         const std::string where = fmt::format("distribution.layers[{}]", i);
         std::shared_ptr<const LobeModel> lobe = lobe_of(layer, i);
         const double mass = lobe->mass();

@@ -1,6 +1,7 @@
 // What p is made of: lobes with their weights and frames. Angles in degrees.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,9 +20,13 @@ struct Layer {
     double tilt = 0;      // then the axis is tilted from n ...
     double azimuth = 0;   // ... toward this azimuth
     std::optional<Modulation> modulation;
+    glm::dvec3 tint{1};  // reflectance of its facets besides F, each colour 0 to 1
 
     bool operator==(const Layer&) const = default;
 };
+
+// Whether it has any facets of p.
+inline bool counts(const Layer& layer) { return layer.enabled && layer.weight > 0; }
 
 inline bool holds_picture(const Layer& layer) {
     return layer.modulation.has_value() || holds_picture(layer.lobe);

@@ -204,7 +204,7 @@ std::size_t count_facets(const Distribution& design) {
     constexpr std::size_t least_side = 256;  // of a set of facets
     std::size_t sum = 0;
     for (const Layer& layer : design.layers) {
-        if (!layer.enabled || layer.weight <= 0 || !holds_picture(layer)) continue;
+        if (!counts(layer) || !holds_picture(layer)) continue;
         std::size_t side = least_side;
         visit_pictures(layer.lobe, [&](const Picture& picture, std::string_view) {
             side = std::max(side, static_cast<std::size_t>(picture.raster->width));

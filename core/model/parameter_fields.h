@@ -23,6 +23,7 @@ void visit_layer_fields(const Visit& visit, Layers&... layers) {
     visit("picture_offset", layers.picture_offset...);
     visit("picture_size", layers.picture_size...);
     visit("picture_strength", layers.picture_strength...);
+    visit("tint", layers.tint...);  // in the GLSL of a tinted design
 }
 
 template <class Visit, class... Shapes>

@@ -12,6 +12,7 @@
 #include "core/model/fresnel_models.h"
 #include "core/model/lobes.h"
 #include "core/model/masking_models.h"
+#include "core/model/tint.h"
 
 namespace nacre {
 
@@ -23,6 +24,7 @@ struct ShadingKinds {
     int diffuse = kind_index<Diffuse, NoDiffuse>();
     bool clamp = true;
     bool albedo = false;  // the tables hold R
+    Tint tint = Tint::none;
 
     constexpr FresnelTables fresnel_tables() const {
         return nacre::fresnel_tables(static_cast<std::size_t>(fresnel));

@@ -20,6 +20,9 @@
 #define DIFFUSE_IS(index) kinds.diffuse == index
 #define CLAMP_VISIBILITY kinds.clamp
 #define READS_ALBEDO kinds.albedo
+#define HAS_TINT 1
+#define TINTED (kinds.tint != Tint::none)
+#define TINT_VARIES (kinds.tint == Tint::varied)
 
 static constexpr scalar LARGEST = std::numeric_limits<scalar>::max();
 
@@ -55,7 +58,7 @@ const float* data = nullptr;  // tables, curves and pictures; owned by the Table
 #include "shaders/shared/terms.glsl"
 #include "shaders/shared/closed_forms.glsl"
 
-// The integrand of R(k1) over facets, F = 1 and then each of `channels` (0, 1 or 3) Fresnel factors: with
+// The integrand of R(k1) over facets, tints left out, F = 1 and then each of `channels` (0, 1 or 3) Fresnel factors: with
 // dk2 = 4 (k1.h) dh a facet of mass p dh adds F (k1.h) V(k1, k2) c2 of it, V = P12/(N c1 c2). `area` gives g(k2).
 template <class AreaOf>
 void facet_albedo(const Direction& a, real3 h, int channels, const AreaOf& area, real (&values)[4]) const {
@@ -97,6 +100,9 @@ void facet_albedo(const Direction& a, real3 h, int channels, const AreaOf& area,
 #undef DIFFUSE_IS
 #undef CLAMP_VISIBILITY
 #undef READS_ALBEDO
+#undef HAS_TINT
+#undef TINTED
+#undef TINT_VARIES
 #undef EACH_LOBE
 #undef EACH_FRESNEL
 #undef EACH_MASKING

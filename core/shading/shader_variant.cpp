@@ -71,6 +71,26 @@ std::string with_cases(std::string text, std::string_view mark, const std::strin
     return text;
 }
 
+// The text with its lines `#if HAS_TINT` to `#endif` and what is between them, or without: a design that has
+// no tint does not even carry the question.
+std::string with_tint_resolved(const std::string& text, bool tinted) {
+    std::string result;
+    int depth = 0, opened_at = 0;  // of #if, and of the one that is resolved; 0: none
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+        const std::string_view line(text.data() + begin, end - begin);
+        begin = end;
+        depth += line.starts_with("#if") ? 1 : 0;
+        const bool opens = line == "#if HAS_TINT\n",
+                   closes = line.starts_with("#endif") && depth == opened_at;
+        if (opens) opened_at = depth;
+        if (!opens && !closes && (tinted || opened_at == 0)) result += line;
+        depth -= line.starts_with("#endif") ? 1 : 0;
+        if (closes) opened_at = 0;
+    }
+    return result;
+}
+
 std::string shown_definitions(const ShaderVariant& variant) {
     std::string text;
     const auto define = [&](std::string_view name, bool on) {
@@ -122,6 +142,10 @@ std::string variant_definitions(const ShaderVariant& variant) {
     define("ENVIRONMENT_BEHIND", variant.environment_behind);
     text += fmt::format("#define LIGHTS {}\n", variant.lights);
     text += fmt::format("#define CLAMP_VISIBILITY {}\n", variant.kinds.clamp);
+    if (variant.kinds.tint != Tint::none) {
+        text += "#define TINTED true\n";
+        text += fmt::format("#define TINT_VARIES {}\n", variant.kinds.tint == Tint::varied);
+    }
     // One model of each set is there.
     for (const char* fixed : {"FRESNEL_IS(index)", "FRESNEL_IS_LINEAR", "FRESNEL_IS_EXACT",
                               "MASKING_IS(index)", "DIFFUSE_IS(index)", "READS_ALBEDO"})
@@ -129,7 +153,9 @@ std::string variant_definitions(const ShaderVariant& variant) {
     return text;
 }
 
-std::string shared_parameters() { return text_of("shared/parameters.glsl"); }
+std::string shared_parameters(const ShaderVariant& variant) {
+    return with_tint_resolved(text_of("shared/parameters.glsl"), variant.kinds.tint != Tint::none);
+}
 
 std::string shared_mathematics(const ShaderVariant& variant) {
     const ShadingKinds& kinds = variant.kinds;
@@ -146,6 +172,7 @@ std::string shared_mathematics(const ShaderVariant& variant) {
           text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
           diffuse.functions, text_of("shared/brdf.glsl")})
         text += part + "\n";
+    text = with_tint_resolved(text, kinds.tint != Tint::none);
     text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
     text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
     text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
@@ -154,7 +181,7 @@ std::string shared_mathematics(const ShaderVariant& variant) {
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
     std::string text = "#version 330 core\n" + variant_definitions(variant) + shown_definitions(variant) +
-                       shared_parameters() + "\n" + text_of("uniforms.glsl") + "\n" +
+                       shared_parameters(variant) + "\n" + text_of("uniforms.glsl") + "\n" +
                        shared_mathematics(variant) + "\n";
     if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
     if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";

@@ -31,7 +31,7 @@ ShaderVariant variant_of(const Shading<double>& shading);
 std::string variant_definitions(const ShaderVariant& variant);
 
 // The shared mathematics, in order: what comes before `fetch` is defined, and what comes after.
-std::string shared_parameters();
+std::string shared_parameters(const ShaderVariant& variant);
 std::string shared_mathematics(const ShaderVariant& variant);
 
 // A whole fragment shader, GLSL 3.30 core; `main` names a file of shaders/, for instance "surface.frag".

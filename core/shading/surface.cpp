@@ -35,6 +35,15 @@ void describe_fresnel(const Fresnel& fresnel, Shader& shading) {
     shading.surface.fresnel_b = numbers.b;
 }
 
+// The bake reads them before the layers are described whole.
+void describe_tints(const Distribution& distribution, const FacetDistribution& facets, Shader& shading) {
+    shading.kinds.tint = tint_of(distribution);
+    if (shading.kinds.tint == Tint::none) return;
+    shading.layer_count = static_cast<int>(facets.lobes().size());
+    for (std::size_t i = 0; i < facets.lobes().size(); ++i)
+        shading.layers[i].tint = distribution.layers[facets.lobes()[i].layer].tint;
+}
+
 }  // namespace
 
 void describe_layers(const Distribution& distribution, const FacetDistribution& facets,
@@ -51,6 +60,7 @@ void describe_layers(const Distribution& distribution, const FacetDistribution& 
         out.axis_x = placed.frame[0];
         out.axis_y = placed.frame[1];
         out.axis_z = placed.frame[2];
+        out.tint = layer.tint;
         out.data_size = lobe.data_size;
         if (!lobe.data.empty()) out.data_offset = append(data, lobe.data);
         if (layer.modulation) describe_modulation(*layer.modulation, out, data);
@@ -67,7 +77,8 @@ void describe_material(const Design& design, const FacetDistribution& facets, Sh
         std::visit([](const auto& model) { return model.shader_width(); }, design.shadowing.model);
     surface.masking_width = width * (std::numbers::pi / 180);
     describe_fresnel(design.fresnel, shading);
-    const dvec3 f0 = shading.fresnel(1);
+    describe_tints(design.distribution, facets, shading);
+    const dvec3 f0 = shading.fresnel(1) * mean_tint(design.distribution);
     const ShaderDiffuse diffuse =
         std::visit([&](const auto& model) { return model.shader(f0); }, design.diffuse);
     surface.albedo = diffuse.albedo;

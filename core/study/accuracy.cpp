@@ -60,6 +60,7 @@ class AccuracyRun {
         : options_(options), stop_(std::move(stop)), progress_(progress), specular_(design) {
         specular_.fresnel = SchlickFresnel{};
         specular_.diffuse = NoDiffuse{};
+        for (Layer& layer : specular_.distribution.layers) layer.tint = dvec3{1};
     }
 
     std::vector<MethodAccuracy> run() {

@@ -52,8 +52,9 @@ struct AccuracyOptions {
     double longest = 1;  // seconds: a method goes on to no larger table after one that took longer
 };
 
-// R is that of the design's p and shadowing, with F = 1 and with f0 = 0 whatever its own Fresnel model is.
-// Throws what bake() throws; BakeCancelled soon after `stop` is requested. `progress` gets values in [0, 1].
+// R is that of the design's p and shadowing, with F = 1 and with f0 = 0 whatever its own Fresnel model is,
+// and without the layers' tints. Throws what bake() throws; BakeCancelled soon after `stop` is requested.
+// `progress` gets values in [0, 1].
 DesignAccuracy measure_accuracy(const Design& design, const AccuracyOptions& options = {},
                                 std::stop_token stop = {}, const std::function<void(double)>& progress = {});
 

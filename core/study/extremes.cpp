@@ -248,12 +248,38 @@ void add_intensities(Cases& cases) {
     }
 }
 
+// Grooves whose sides differ as much as they can, with each diffuse term in white; and facets that reflect
+// nothing.
+void add_tints(Cases& cases) {
+    const auto add = [&](std::string name, Design design, glm::dvec3 one, glm::dvec3 other) {
+        design.distribution.layers[0].tint = one;
+        design.distribution.layers[1].tint = other;
+        cases.push_back({"tints", std::move(name), std::move(design)});
+    };
+    for (std::size_t kind = 0; kind < KindSet<Diffuse>::count; ++kind) {
+        Design design = grooves(0.5, 40);
+        design.fresnel = ConductorFresnel{};
+        design.diffuse = white_diffuse(kind);
+        add(fmt::format("red and cyan, diffuse {}", KindSet<Diffuse>::names[kind]), design, {1, 0, 0},
+            {0, 1, 1});
+    }
+    Design coupled = grooves(0.5, 40);
+    coupled.diffuse = CoupledDiffuse{glm::dvec3{1}};
+    add("black and white", coupled, glm::dvec3{0}, glm::dvec3{1});
+    add("black", coupled, glm::dvec3{0}, glm::dvec3{0});
+    add("one red", coupled, {1, 0, 0}, {1, 0, 0});
+    Design needle = with_layer(of(GaussianLobe{1e-4, 1e-4}), UniformLobe{}, 1e-3);
+    needle.diffuse = CoupledDiffuse{glm::dvec3{1}};
+    add("a white needle in a black haze", needle, glm::dvec3{1}, glm::dvec3{0});
+    add("a black needle in a white haze", needle, glm::dvec3{0}, glm::dvec3{1});
+}
+
 }  // namespace
 
 std::vector<ExtremeCase> extreme_cases() {
     Cases cases;
     for (const auto add : {add_lobes, add_ratios, add_tilts, add_mixtures, add_pictures, add_scales,
-                           add_mean_cosines, add_visibilities, add_materials, add_intensities})
+                           add_mean_cosines, add_visibilities, add_materials, add_intensities, add_tints})
         add(cases);
     return cases;
 }

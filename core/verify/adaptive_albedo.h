@@ -25,27 +25,29 @@ class AdaptiveAlbedo {
                                  : nullptr);
     }
 
-    // `integrand` holds k1; area(k2) is g. Throws BakeCancelled soon after a stop is requested.
+    // `integrand` holds k1 and in its shading the lobes' tints; area(k2) is g. Throws BakeCancelled soon
+    // after a stop is requested.
     template <class AreaOf>
     AlbedoValues operator()(const FacetAlbedo& integrand, const AreaOf& area,
                             const std::stop_token& stop) const {
+        const AlbedoLayout layout{integrand.channels, integrand.shading.kinds.tint};
         AlbedoValues sum{};
         for (std::size_t i = 0; i < rules_.size(); ++i) {
             const PlacedLobe& placed = distribution_.lobes()[i];
-            add(sum,
-                rules_[i] ? over_picture(*rules_[i], integrand, area, stop)
-                          : over_facets(placed, integrand, area, stop),
-                1);
+            const dvec3 tint = integrand.shading.layers[i].tint;
+            layout.add(rules_[i] ? over_picture(*rules_[i], integrand, area, stop)
+                                 : over_facets(placed, integrand, area, stop),
+                       tint, sum);
             for (const LobeParameterization& span : placed.lobe->spans()) {
                 const GreatCircleQuadrature walk(placed, span, integrand.k1);
                 const std::vector<double> cuts = walk.azimuth_cuts(integrand.shading.kinds.masking_bends());
                 for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
-                    add(sum,
+                    layout.add(
                         integrate_adaptively<4>(
                             [&](double psi) { return over_chi(integrand, area, walk, psi, stop); },
                             walk.start() + cuts[part] * std::numbers::pi,
                             walk.start() + cuts[part + 1] * std::numbers::pi, tolerance_, depth_azimuth),
-                        1);
+                        tint, sum);
             }
         }
         return sum;
@@ -56,22 +58,22 @@ class AdaptiveAlbedo {
     // Of a lobe that holds a picture, whose g is not known closer: the tolerance in others', and the least.
     static constexpr double picture_part = 10, picture_min = 5e-6;
 
-    static void add(AlbedoValues& sum, const AlbedoValues& values, double weight) {
+    static void add(LayerAlbedo& sum, const LayerAlbedo& values, double weight) {
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];
     }
 
     template <class AreaOf>
-    AlbedoValues over_picture(const PictureRule& rule, const FacetAlbedo& integrand, const AreaOf& area,
-                              const std::stop_token& stop) const {
+    LayerAlbedo over_picture(const PictureRule& rule, const FacetAlbedo& integrand, const AreaOf& area,
+                             const std::stop_token& stop) const {
         return rule.integrate([&](dvec3 h) { return integrand(h, area); },
                               std::fmax(picture_part * tolerance_, picture_min), stop);
     }
 
     // Nothing of a lobe that has a smooth form.
     template <class AreaOf>
-    AlbedoValues over_facets(const PlacedLobe& placed, const FacetAlbedo& integrand, const AreaOf& area,
-                             const std::stop_token& stop) const {
-        AlbedoValues sum{};
+    LayerAlbedo over_facets(const PlacedLobe& placed, const FacetAlbedo& integrand, const AreaOf& area,
+                            const std::stop_token& stop) const {
+        LayerAlbedo sum{};
         if (!placed.lobe->spans().empty()) return sum;
         for (const Facet& facet : placed.lobe->facets(facet_count_)) {
             if (stop.stop_requested()) throw BakeCancelled();
@@ -81,19 +83,19 @@ class AdaptiveAlbedo {
     }
 
     template <class AreaOf>
-    AlbedoValues over_chi(const FacetAlbedo& integrand, const AreaOf& area, const GreatCircleQuadrature& walk,
-                          double psi, const std::stop_token& stop) const {
+    LayerAlbedo over_chi(const FacetAlbedo& integrand, const AreaOf& area, const GreatCircleQuadrature& walk,
+                         double psi, const std::stop_token& stop) const {
         const GreatCircleQuadrature::Ray whole = walk.ray(psi);
         std::vector<double> cuts;
         walk.cuts(whole, integrand.shading.kinds.masking_bends(), cuts);
         auto at = [&](double chi) {
             if (stop.stop_requested()) throw BakeCancelled();
             const Facet facet = walk.facet(whole, chi);
-            AlbedoValues values{};
+            LayerAlbedo values{};
             if (facet.mass > 0) add(values, integrand(facet.h, area), facet.mass);
             return values;
         };
-        AlbedoValues sum{};
+        LayerAlbedo sum{};
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
             if (cuts[i + 1] > cuts[i])
                 add(sum, integrate_adaptively<4>(at, cuts[i], cuts[i + 1], 0.5 * tolerance_, depth_polar), 1);

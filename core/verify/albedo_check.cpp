@@ -30,6 +30,12 @@ dvec3 direction(const AlbedoRings& rings, int index) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
+// Of the colour that reflects most.
+double largest(const AlbedoValues& values, Tint tint) {
+    const AlbedoLayout layout{0, tint};
+    return *std::max_element(values.begin(), values.begin() + layout.full());
+}
+
 }  // namespace
 
 AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std::stop_token stop,
@@ -40,7 +46,8 @@ AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std
     tbb::parallel_for(0, count, [&](int i) {
         if (stop.stop_requested()) throw BakeCancelled();
         const dvec3 k = direction(rings, i);
-        values[static_cast<std::size_t>(i)] = rule(k, tables.distribution->projected_area(k))[0];
+        values[static_cast<std::size_t>(i)] =
+            largest(rule(k, tables.distribution->projected_area(k)), tables.shading.kinds.tint);
     });
     std::vector<int> close;
     for (int i = 0; i < count; ++i)
@@ -54,7 +61,8 @@ AlbedoCheck measure_albedo(const Tables& tables, const Reference& reference, std
         visit_within(reference_seconds, static_cast<int>(close.size()), least_settled, [&](int i) {
             if (stop.stop_requested()) throw BakeCancelled();
             const int index = close[static_cast<std::size_t>(i)];
-            values[static_cast<std::size_t>(index)] = (*albedo)(direction(rings, index), stop)[0];
+            values[static_cast<std::size_t>(index)] =
+                largest((*albedo)(direction(rings, index), stop), tables.shading.kinds.tint);
         });
     AlbedoCheck check{.directions = count, .unsettled = static_cast<int>(close.size()) - settled};
     for (std::size_t i = static_cast<std::size_t>(settled); i < close.size(); ++i)

@@ -9,7 +9,8 @@
 namespace nacre {
 
 struct AlbedoCheck {
-    double worst = 0;    // the largest R at F = 1; infinite where one is NaN
+    // The largest R at F = 1, of any colour where tints differ; infinite where one is NaN.
+    double worst = 0;
     int violations = 0;  // directions with R > 1 + 1e-6
     int directions = 0;
     int unsettled = 0;  // directions whose R could not be distinguished from 1 within the time limit

@@ -99,9 +99,8 @@ void add_points(FacetIntegral& sum, const PlacedLobe& placed, dvec3 k, const std
 }  // namespace
 
 bool holds_picture(const Distribution& design) {
-    return std::any_of(design.layers.begin(), design.layers.end(), [](const Layer& layer) {
-        return layer.enabled && layer.weight > 0 && holds_picture(layer);
-    });
+    return std::any_of(design.layers.begin(), design.layers.end(),
+                       [](const Layer& layer) { return counts(layer) && holds_picture(layer); });
 }
 
 FacetIntegral integrate_facets(const Distribution& design, const FacetDistribution& distribution, dvec3 k,

@@ -61,9 +61,18 @@ AlbedoValues Reference::albedo(dvec3 k, std::stop_token stop) const {
 }
 
 dvec3 Reference::design_albedo(const AlbedoValues& values) const {
-    if (channels_ == 0) return dvec3{values[0]};
-    if (channels_ == 3) return {values[1], values[2], values[3]};
-    return shading_.surface.fresnel_a * values[0] + (1.0 - shading_.surface.fresnel_a) * values[1];
+    const AlbedoLayout layout = this->layout();
+    dvec3 full{0}, with_factor{0};
+    for (int c = 0; c < 3; ++c) {
+        full[c] = values[static_cast<std::size_t>(c % layout.full())];
+        if (channels_ > 0)
+            with_factor[c] = values[static_cast<std::size_t>(layout.full() + c % layout.factors())];
+    }
+    const dvec3 f0 = shading_.surface.fresnel_a;
+    const dvec3 R = channels_ == 0   ? full
+                    : channels_ == 3 ? with_factor
+                                     : f0 * full + (1.0 - f0) * with_factor;
+    return layout.tint == Tint::shared ? R * shading_.layers[0].tint : R;
 }
 
 Shading<double>::Direction Reference::direction(dvec3 k, std::stop_token stop) const {

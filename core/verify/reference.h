@@ -24,8 +24,8 @@ class Reference {
     double projected_area(dvec3 k) const { return distribution_.projected_area(k); }
     double visibility(dvec3 k) const;
 
-    // R with F = 1, then with Schlick's weight (f0 = 0), or with the design's exact F in three colours;
-    // absolute error below 1e-6; 2e-5 where a picture takes part, also one of a single texel.
+    // R with F = 1, then with Schlick's weight (f0 = 0), or with the design's exact F in three colours; see
+    // AlbedoLayout. Absolute error below 1e-6; 2e-5 where a picture takes part, also one of a single texel.
     AlbedoValues albedo(dvec3 k, std::stop_token stop = {}) const;
 
     // The design's own R, one value a colour.
@@ -42,6 +42,7 @@ class Reference {
     const FacetDistribution& distribution() const { return distribution_; }
     const Distribution& layers() const { return layers_; }  // of the design
     int channels() const { return channels_; }              // of albedo(), F = 1 apart
+    AlbedoLayout layout() const { return {channels_, shading_.kinds.tint}; }
 
   private:
     Distribution layers_;

@@ -55,6 +55,9 @@ real3 specular(Direction a, Direction b) READS {
     real p = density(between.h);
     if (none(p > real(0.0))) return real3(0.0);
     real facets = select(between.exists, real(0.25) * p * visibility(a, b), real(0.0));
+#if HAS_TINT
+    if (TINTED) return fresnel(between.cosine) * facet_tint(between.h, p) * min(facets, real(LARGEST));
+#endif
     return fresnel(between.cosine) * min(facets, real(LARGEST));
 }
 
@@ -83,8 +86,29 @@ real clamped_part(real3 k, real g) READS {
     return select(CLAMP_VISIBILITY && g < nc, g / nc, real(1.0));
 }
 
+#if HAS_TINT
+// R G/g of the design's own Fresnel factor where tints differ and each colour has tables of its own.
+real3 varied_albedo(real3 k, AlbedoSpot spot) READS {
+    real3 full = colour_albedo_f1(spot);
+    real3 r = full;
+#if HAS_LINEAR_FRESNEL
+    if (FRESNEL_IS_LINEAR) {
+        real3 zero = colour_fresnel_albedo(spot, full, real3(schlick_weight(k.z)));
+        r = real3(surface.fresnel_a) * full + (real3(1.0) - surface.fresnel_a) * zero;
+    }
+#endif
+#if HAS_EXACT_FRESNEL
+    if (FRESNEL_IS_EXACT) r = colour_fresnel_albedo(spot, full, fresnel(k.z));
+#endif
+    return r;
+}
+
+#endif
 // R(k) of the design's own Fresnel factor, from the tables.
 real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
+#if HAS_TINT
+    if (TINT_VARIES) return varied_albedo(k, spot) * clamped_part(k, g);
+#endif
     real full = albedo_f1(spot);
     real3 r = real3(full);
 #if HAS_LINEAR_FRESNEL
@@ -99,6 +123,9 @@ real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
         r = real3(fresnel_albedo(spot, full, f.x, 0), fresnel_albedo(spot, full, f.y, 1),
                   fresnel_albedo(spot, full, f.z, 2));
     }
+#endif
+#if HAS_TINT
+    if (TINTED) r = r * real3(layers[0].tint);
 #endif
     return r * clamped_part(k, g);
 }

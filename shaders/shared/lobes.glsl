@@ -29,3 +29,17 @@ real density(real3 h) READS {
     for (int i = 0; i < layer_count; ++i) p += layer_density(layers[i], h);
     return p;
 }
+#if HAS_TINT
+
+// What the facets of normal h reflect besides F, the mean of their layers' tints: q(h)/p(h) where q is the sum of p over
+// the layers, each times its tint. p = density(h).
+real3 facet_tint(real3 h, real p) READS {
+    real3 tint = real3(layers[0].tint);
+    if (TINT_VARIES) {
+        real3 q = real3(0.0);
+        for (int i = 0; i < layer_count; ++i) q += real3(layers[i].tint) * layer_density(layers[i], h);
+        tint = q / select(p > real(0.0), p, real(1.0));
+    }
+    return tint;
+}
+#endif

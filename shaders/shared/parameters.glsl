@@ -20,6 +20,9 @@ struct Layer {
     int picture_offset;    // modulation: texels, top row first
     int picture_size;      // texels a side; 0 without modulation
     scalar picture_strength;
+#if HAS_TINT
+    scalar3 tint;      // reflectance of the layer's facets besides F
+#endif
 };
 
 // The baked tables' shape; see tables.glsl.

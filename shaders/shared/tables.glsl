@@ -154,4 +154,22 @@ real fresnel_albedo(AlbedoSpot spot, real full, real fresnel_at_n, int channel) 
     int offset = surface.tables.residual_offset + channel * surface.tables.nodes_v * surface.tables.nodes_rho;
     return max(fresnel_at_n * full + table_value(spot.rho, offset, surface.tables.nodes_v, spot.v), real(0.0));
 }
+#if HAS_TINT
+
+// albedo_f1() of each colour: where tints differ each has a table of its own, one after the other.
+real3 colour_albedo_f1(AlbedoSpot spot) READS {
+    if (!TINT_VARIES) return real3(albedo_f1(spot));
+    int nodes = surface.tables.nodes_v;
+    int green = surface.tables.albedo_offset + nodes * surface.tables.nodes_rho;
+    int blue = green + nodes * surface.tables.nodes_rho;
+    return real3(albedo_f1(spot), max(table_value(spot.rho, green, nodes, spot.v), real(0.0)),
+                 max(table_value(spot.rho, blue, nodes, spot.v), real(0.0)));
+}
+
+// fresnel_albedo() of each colour.
+real3 colour_fresnel_albedo(AlbedoSpot spot, real3 full, real3 fresnel_at_n) READS {
+    return real3(fresnel_albedo(spot, full.x, fresnel_at_n.x, 0), fresnel_albedo(spot, full.y, fresnel_at_n.y, 1),
+                 fresnel_albedo(spot, full.z, fresnel_at_n.z, 2));
+}
+#endif
 #endif

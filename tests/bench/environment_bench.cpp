@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int side = 32, points_wanted = 64;
-constexpr int counts[] = {1, 4, 16, 64, 256, 1024};
+constexpr int sample_counts[] = {1, 4, 16, 64, 256, 1024};
 
 }  // namespace
 
@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     for (const auto& environment : environments) fmt::print(" {} |", environment->name);
     fmt::print("\n| --- |");
     for (std::size_t i = 0; i < environments.size(); ++i) fmt::print(" ---: |");
-    std::vector<double> squares(std::size(counts), 0), worst(std::size(counts), 0);
+    std::vector<double> squares(std::size(sample_counts), 0), worst(std::size(sample_counts), 0);
     double seconds = 0;
     for (const fs::path& file : files) {
         const auto tables = bake(load_design(file));
@@ -54,11 +54,11 @@ int main(int argc, char** argv) {
         for (const auto& environment : environments) {
             const auto exact = integrals(points, tables, environment, 2);
             double error = 0;
-            for (std::size_t i = 0; i < std::size(counts); ++i) {
+            for (std::size_t i = 0; i < std::size(sample_counts); ++i) {
                 const auto begin = std::chrono::steady_clock::now();
-                error = relative_error(accumulated(preview, points, environment, counts[i]), exact);
+                error = relative_error(accumulated(preview, points, environment, sample_counts[i]), exact);
                 const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-                if (counts[i] == 1024) seconds += taken.count();
+                if (sample_counts[i] == 1024) seconds += taken.count();
                 squares[i] += error * error;
                 worst[i] = std::max(worst[i], error);
             }
@@ -68,9 +68,9 @@ int main(int argc, char** argv) {
     }
     const double pictures = static_cast<double>(files.size() * environments.size());
     fmt::print("\n\n| samples |");
-    for (const int count : counts) fmt::print(" {} |", count);
+    for (const int count : sample_counts) fmt::print(" {} |", count);
     fmt::print("\n| --- |");
-    for (std::size_t i = 0; i < std::size(counts); ++i) fmt::print(" ---: |");
+    for (std::size_t i = 0; i < std::size(sample_counts); ++i) fmt::print(" ---: |");
     fmt::print("\n| root mean square |");
     for (const double sum : squares) fmt::print(" {:.2f} % |", 100 * std::sqrt(sum / pictures));
     fmt::print("\n| worst |");

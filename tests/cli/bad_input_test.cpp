@@ -26,7 +26,7 @@ std::vector<Hostile> hostile_designs() {
         {"", ""},
         {"{\"nacre\": 1,", "line 1"},
         {std::string(200000, '['), "nested deeper"},
-        {R"({"nacre": 2})", "nacre"},
+        {R"({"nacre": 3})", "newer Nacre"},
         {R"({"nacre": 1, "colour": 3})", "colour"},
         {R"({"nacre": 1, "name": 3})", "name"},
         {one_layer(R"({"lobe": "gaussian", "sigma_x": 0})"), "distribution.layers[0].sigma_x"},

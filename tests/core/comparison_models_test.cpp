@@ -157,7 +157,7 @@ TEST_CASE("Ward: at the normal nearly everything comes back, as he says for narr
     CHECK(ward.albedo[0] < 1.0f);
     // Oren and Nayar's smooth facets give back rho from everywhere.
     const ClosedForm lambert = matching_form(*tables, ClosedFormModel::oren_nayar);
-    CHECK(lambert.form.rho.x == doctest::Approx(tables->mean_albedo).epsilon(2e-3));
+    CHECK(lambert.form.rho.x == doctest::Approx(tables->mean_albedo.x).epsilon(2e-3));
     CHECK(static_cast<double>(lambert.albedo[0]) == doctest::Approx(lambert.form.rho.x).epsilon(0.05));
 }
 

@@ -98,14 +98,14 @@ TEST_CASE("R summed over facets side by side is the sum over each of them") {
                 const auto area = [&](dvec3 k) { return shading.projected_area(k, shading.table_spot(k)); };
                 const FacetAlbedo one{shading, k1, g1, channels};
                 WeightedDirections facets;
-                AlbedoValues sum{};
+                LayerAlbedo sum{};
                 for (int i = 0; i < 101; ++i) {
                     const Facet facet{random_direction(random), 0.01 * uniform_random(random)};
                     facets.add(facet.h, facet.mass);
-                    const AlbedoValues values = one(facet.h, area);
+                    const LayerAlbedo values = one(facet.h, area);
                     for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += facet.mass * values[c];
                 }
-                const AlbedoValues together = sum_albedo(shading, k1, g1, channels, facets);
+                const LayerAlbedo together = sum_albedo(shading, k1, g1, channels, facets);
                 for (std::size_t c = 0; c < sum.size(); ++c)
                     RC_ASSERT(std::fabs(together[c] - sum[c]) <= 1e-5 * sum[c]);
             },

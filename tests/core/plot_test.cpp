@@ -81,7 +81,7 @@ TEST_CASE("R is what the tables hold, at every f0, and what lies between f0 = 0 
         for (std::size_t i = 0; i < plot.at.size(); ++i) {
             dvec3 k = polar_direction(plot.at[i], tables->needs.symmetry.axis);
             k.z = std::max(k.z, 0.0);
-            const Values<4> values = read_albedo(tables->shading, k, 1);
+            const AlbedoValues values = read_albedo(tables->shading, k, 1);
             CHECK(plot.series[zero].values[i] == values[1]);
             CHECK(plot.series[one].values[i] == values[0]);
             const dvec3 material = glm::mix(dvec3(values[1]), dvec3(values[0]), dvec3(0.9, 0.5, 0.2));

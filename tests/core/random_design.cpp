@@ -111,6 +111,7 @@ Layer random_layer(const std::vector<Picture>& files) {
                 number(-360, 360),
                 {}};
     if (coin()) layer.modulation = Modulation{random_picture(files), number(0, 1)};
+    if (coin()) layer.tint = colour(0, 1);
     return layer;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("a g or R that is NaN has an infinite error") {
             CHECK(area_error(tables->shading, k, g, g) == 0);
             CHECK(area_error(tables->shading, k, none, g) == limits::infinity);
             CHECK(area_error(tables->shading, k, g, none) == limits::infinity);
-            Values<4> exact = read_albedo(tables->shading, k, 1);
+            AlbedoValues exact = read_albedo(tables->shading, k, 1);
             CHECK(albedo_error(tables->shading, k, exact, 1) == 0);
             exact[0] = none;
             CHECK(albedo_error(tables->shading, k, exact, 1) == limits::infinity);

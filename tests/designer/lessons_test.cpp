@@ -86,3 +86,17 @@ TEST_CASE("lesson: a logo from an SVG in five steps") {
     // The diagonal goes down to the right, as it is drawn.
     CHECK(lesson.shines(-0.12 * radius, 0.3 * radius) > 1.5 * lesson.shines(0.12 * radius, 0.3 * radius));
 }
+
+TEST_CASE("lesson: a velvet of two colours in eight steps, each on its side") {
+    Lesson lesson("velvet");
+    CHECK(lesson.steps <= 8);
+    REQUIRE(lesson.layers().size() == 2);
+    CHECK(lesson.layers()[0].tint.x > 5 * lesson.layers()[0].tint.z);
+    CHECK(lesson.layers()[1].tint.z > 5 * lesson.layers()[1].tint.x);
+    // Facets that are tilted to the right shine on the left.
+    const double tilt = lesson.layers()[0].tilt;
+    REQUIRE(tilt > 30);
+    const glm::dvec3 left = lesson.colour(-tilt, 0), right = lesson.colour(tilt, 0);
+    CHECK(left.x > 1.5 * right.x);
+    CHECK(right.z > 3 * left.z);
+}

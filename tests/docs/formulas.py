@@ -1,5 +1,5 @@
 """formulas.py NACRE_CLI SOURCE FOLDER [DESIGN...]: the formulas of manifest.json, evaluated as they are written there, give the BRDF of
-`nacre-cli eval`: of every kind of core/model/kinds.cmake with its defaults, isotropic, anisotropic, leaning, modulated and painted; or of these designs alone."""
+`nacre-cli eval`: of every kind of core/model/kinds.cmake with its defaults, isotropic, anisotropic, leaning, modulated, painted and tinted; or of these designs alone."""
 import json, pathlib, re, subprocess, sys
 import numpy as np
 from agreement import fail, pairs_above_the_horizon, require_close, rows_of
@@ -41,6 +41,11 @@ def designs():
     for masking in kinds["masking"]:
         yield f"{masking}-no-clamp", [{**layers[0], "tilt": 30}], masking, "none", "none"
     yield "bright", layers, kinds["masking"][0], "schlick", "coupled"
+    red, blue = {"tint": [0.9, 0.1, 0.2]}, {"tint": [0.1, 0.3, 0.8]}
+    for index, fresnel in enumerate(kinds["fresnel"]):
+        for diffuse in kinds["diffuse"]:
+            yield f"tints-{fresnel}-{diffuse}", [{**layers[0], "tilt": 25, **red}, {**layers[0], "tilt": 30, "azimuth": 180, **blue}], of(kinds["masking"], index), fresnel, diffuse
+            yield f"tint-{fresnel}-{diffuse}", [{**layers[0], **red}, {**haze, **red}], of(kinds["masking"], index), fresnel, diffuse
     yield "whole-sphere", [{"lobe": "uniform", "domain": "sphere"}, layers[0]], kinds["masking"][0], "none", "none"
 
 
@@ -68,7 +73,7 @@ if sys.argv[4:]:
 for name, layers, masking, fresnel, diffuse in designs():
     design = folder / f"{name}.nacre"
     specular = {"specular": {"intensity": 2.5}} if name == "bright" else {}
-    design.write_text(json.dumps({"nacre": 2 if specular else 1, "distribution": {"layers": layers}, **specular,
+    design.write_text(json.dumps({"nacre": 2 if specular or "tint" in name else 1, "distribution": {"layers": layers}, **specular,
                                   "shadowing": {"model": masking, "clamp": not name.endswith("no-clamp")},
                                   "fresnel": {"model": fresnel, **materials.get(fresnel, {})}, "diffuse": {"model": diffuse, **diffuses.get(diffuse, {})}}))
     check(design)

@@ -43,7 +43,7 @@ class Stranger:
         self.tables = {table["quantity"]: self.pictures[table["file"]] for table in self.manifest["tables"]}
         self.known = {**FUNCTIONS, **{key: np.array(value) if isinstance(value, list) else value
                                       for part in ("constants", "material") for key, value in self.manifest[part].items()}}
-        self.known.update(turns=turns, F=self.fresnel, p=self.p, R=lambda k: self.direction(k)["R"])
+        self.known.update(turns=turns, F=self.fresnel, p=self.p, q=self.q, R=lambda k: self.direction(k)["R"])
         for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual")):
             self.known[name] = lambda at, row, quantity=quantity: self.look_up(quantity, at, row)
 
@@ -70,6 +70,9 @@ class Stranger:
 
     def p(self, h):
         return sum(self.layer(layer, h) for layer in self.manifest["distribution"]["layers"])
+
+    def q(self, h):
+        return sum(np.array(layer["tint"]) * self.layer(layer, h) for layer in self.manifest["distribution"]["layers"])
 
     def layer(self, layer, h):
         x, y, z = (np.dot(layer["axis_" + axis], h) for axis in "xyz")

@@ -53,6 +53,18 @@ std::vector<NamedDesign> designs() {
     all.push_back({"tilted curve", curve});
     curve.specular.intensity = 3;
     all.push_back({"bright curve", curve});
+    // Tints that differ, with and without clamp, and one that all layers share.
+    Design velvet = with_layer(design_of(GaussianLobe{0.3, 0.6}, 40), GaussianLobe{0.3, 0.6}, 1, 40, 180);
+    velvet.distribution.layers[0].tint = {0.7, 0.02, 0.08};
+    velvet.distribution.layers[1].tint = {0.03, 0.04, 0.3};
+    velvet.diffuse = CoupledDiffuse{};
+    all.push_back({"velvet of two tints", velvet});
+    velvet.fresnel = ConductorFresnel{};
+    velvet.shadowing = {SmithCorrelatedMasking{}, false};
+    velvet.diffuse = MetalDiffuse{};
+    all.push_back({"metal of two tints", velvet});
+    velvet.distribution.layers[1].tint = velvet.distribution.layers[0].tint;
+    all.push_back({"metal of one tint", velvet});
     // Every kind there is.
     using Materials = KindSet<Fresnel>;
     for (std::size_t i = 0; i < std::max(KindSet<Lobe>::count, Materials::count); ++i) {

@@ -10,7 +10,8 @@
 namespace nacre {
 namespace {
 
-// R of the tables at one direction: of the material, and for f0 = 0 and f0 = 1.
+// R of the tables at one direction: of the material, and for f0 = 0 and f0 = 1, where tints differ as
+// luminance.
 struct AlbedoAt {
     dvec3 material;
     double zero, one;
@@ -18,8 +19,11 @@ struct AlbedoAt {
 
 AlbedoAt albedo_at(const Tables& tables, dvec3 k) {
     k.z = std::max(k.z, 0.0);
-    const Values<4> values = read_albedo(tables.shading, k, tables.needs.fresnel_tables);
-    return {.material = tables.shading.direction(k).R, .zero = values[1], .one = values[0]};
+    const AlbedoValues v = read_albedo(tables.shading, k, tables.needs.fresnel_tables);
+    const bool varied = tables.needs.tint == Tint::varied;
+    return {.material = tables.shading.direction(k).R,
+            .zero = varied ? luminance({v[3], v[4], v[5]}) : v[1],
+            .one = varied ? luminance({v[0], v[1], v[2]}) : v[0]};
 }
 
 // The curves of one azimuth: the material's R as a colour or as its luminance, then f0 = 0 and f0 = 1 where
@@ -48,13 +52,18 @@ struct AlbedoCurves {
     }
 };
 
+bool is_coloured(const Shading<double>& shading) {
+    bool coloured = !is_grey(shading.fresnel(1));
+    for (int i = 0; i < shading.layer_count; ++i) coloured = coloured || !is_grey(shading.layers[i].tint);
+    return coloured;
+}
+
 AlbedoCurves albedo_curves(const Tables& tables, bool several_azimuths) {
     const ShadingKinds& kinds = tables.shading.kinds;
     AlbedoCurves curves;
-    curves.grey = several_azimuths || is_grey(tables.shading.fresnel(1)) ||
-                  kinds.fresnel_tables() == FresnelTables::none;
+    curves.grey = several_azimuths || !is_coloured(tables.shading);
     curves.zero = kinds.fresnel_tables() == FresnelTables::linear;
-    curves.one = kinds.fresnel_tables() != FresnelTables::none;
+    curves.one = kinds.fresnel_tables() != FresnelTables::none || kinds.tint == Tint::shared;
     return curves;
 }
 
@@ -73,7 +82,7 @@ Plot make(const Tables& tables, const PlotSettings& settings) {
     });
     plot.x = angle_axis("angle of k from the normal, \u03b8", 0, 90);
     plot.y = value_axis("albedo R", "", highest_of(plot.series), settings.is_logarithmic(), 1);
-    const bool shares = several && !is_grey(tables.shading.fresnel(1));
+    const bool shares = several && is_coloured(tables.shading);
     return {.title = "Directional albedo R(k) of the specular term",
             .subtitle = shares ? "the material's R as luminance" : "",
             .contents = std::move(plot)};
