@@ -25,6 +25,7 @@ class StampChooser {
     // The dialog or the problem, where one is open.
     void talk();
     bool talking() const { return chooser_.open() || !problem_.empty(); }
+    const std::string& problem() const { return problem_; }  // shown until it is read
     bool in_motion() const { return chooser_.has_answer(); }
 
     // A picture that becomes the stamp in hand once it is read.

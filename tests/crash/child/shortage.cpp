@@ -82,7 +82,10 @@ void without_pictures(const fs::path& folder) {
     Hand hand;
     Designer& designer = hand.designer();
     const std::string drop = "drop \"" + (folder / "picture.png").string() + "\"\nframes 3\n";
-    for (const char* use : {"Stamp", "Normals", "Modulation"}) {
+    hand.play(drop + "click \"Stamp\"\nframes 3");
+    hand.told("Stamp", [&] { return designer.stamps.problem(); });
+    hand.answer();
+    for (const char* use : {"Normals", "Modulation"}) {
         hand.play(drop + "click \"" + use + "\"\nframes 3");
         hand.told(use, [&] { return designer.pictures.problem(); });
         hand.answer();
