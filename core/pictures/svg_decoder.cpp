@@ -10,11 +10,16 @@
 #include "core/pictures/decoders.h"
 #include "core/pictures/picture_problem.h"
 
+// Pixels of the longer side. The fuzz target draws small, so that it looks at many drawings.
+#ifndef NACRE_DRAWN_SIDE
+#define NACRE_DRAWN_SIDE limits::raster_max
+#endif
+
 namespace nacre {
 namespace {
 
-constexpr double side_max = limits::raster_max;  // pixels
-constexpr double slimmest = 1.0 / side_max;      // the shorter side over the longer one
+constexpr double side_max = NACRE_DRAWN_SIDE;
+constexpr double slimmest = 1.0 / side_max;  // the shorter side over the longer one
 
 struct Unref {
     void operator()(RsvgHandle* handle) const { g_object_unref(handle); }

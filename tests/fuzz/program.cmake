@@ -45,7 +45,7 @@ endforeach()
 file(GLOB picture_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/pictures/*.cpp)
 add_library(nacre_fuzz_pictures OBJECT ${picture_sources})
 target_include_directories(nacre_fuzz_pictures PUBLIC ${NACRE_ROOMS}/base ${NACRE_ROOMS}/image ${NACRE_ROOMS}/pictures)
-target_compile_definitions(nacre_fuzz_pictures PRIVATE NACRE_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(nacre_fuzz_pictures PRIVATE NACRE_VERSION="${PROJECT_VERSION}" NACRE_DRAWN_SIDE=64)
 target_link_libraries(nacre_fuzz_pictures PUBLIC nacre_options nacre_common nacre_utf8cpp OpenImageIO::OpenImageIO PkgConfig::WebP
     PkgConfig::Rsvg ZLIB::ZLIB)
 foreach(format png jpeg openexr tiff hdr pnm webp targa bmp psd dds jpeg2000 heif svg)
