@@ -1,5 +1,6 @@
 #include "ui/brush_mark.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +17,7 @@ namespace {
 constexpr double radians = std::numbers::pi / 180;
 constexpr int footprint_steps = 64;
 constexpr double line_width = 0.4 * radians;  // of the brush's edge on the object
+constexpr double deepest = -0.5;              // z in the layer's frame: a brush farther below is not shown
 constexpr Colour ghost{1, 1, 1, 0.6f};
 constexpr Colour ghost_of_copy{1, 1, 1, 0.25f};
 
@@ -26,15 +28,19 @@ Layer painted_or_new(const Distribution& distribution, std::size_t chosen) {
     return painted ? layers[chosen] : Layer{};
 }
 
-// What the stamp would do at a normal of the layer's frame.
-std::optional<Dab> stamp_in_hand(const CanvasState& state, const Layer& layer, dvec3 at) {
+const NamedStamp* stamp_in_hand(const CanvasState& state) {
     const auto tool = paints_with(state.tool);
-    if (!tool || info(*tool).needs != ToolNeed::picture || state.stamp >= state.stamps.size()) return {};
-    return Dab{.brush = state.brush,
-               .symmetry = {},
-               .at = at,
-               .tip = state.stamps[state.stamp].picture.get(),
-               .to_tip = stamp_from_layer(layer, at, state.pose)};
+    if (!tool || info(*tool).needs != ToolNeed::picture || state.stamp >= state.stamps.size()) return nullptr;
+    return &state.stamps[state.stamp];
+}
+
+// What the stamp would do at a normal of the layer's frame.
+Tip tip_of(const NamedStamp& stamp, const CanvasState& state, const Layer& layer, dvec3 at) {
+    return Tip({.brush = state.brush,
+                .symmetry = {},
+                .at = at,
+                .tip = stamp.picture.get(),
+                .to_tip = stamp_from_layer(layer, at, state.pose)});
 }
 
 // The edge of what a dab covers, about `middle` in the layer's frame.
@@ -65,13 +71,13 @@ void draw_ring(const CanvasFrame& frame, const glm::dmat3& place, double theta, 
 }
 
 // `to` takes the layer's frame to the surface's.
-void draw_ghost(const CanvasFrame& frame, const glm::dmat3& to, const Dab& stamp, bool strong) {
-    const Tip tip(stamp);
+void draw_ghost(const CanvasFrame& frame, const glm::dmat3& to, const Tip& tip, const Raster& thumbnail,
+                bool strong) {
     const auto place = [&](glm::dvec2 at) -> std::optional<ImVec2> {
         const dvec3 h = to * tip.direction(at);
         return frame.view.hidden(h) ? std::nullopt : std::optional(frame.screen(h));
     };
-    draw_stamp(*stamp.tip, place, strong ? ghost : ghost_of_copy);
+    draw_stamp(thumbnail, place, strong ? ghost : ghost_of_copy);
 }
 
 }  // namespace
@@ -84,18 +90,19 @@ void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Canvas
     const auto* dabs = std::get_if<DabTool>(&kind.work);
     const Layer layer = painted_or_new(*contents.design, contents.chosen);
     const glm::dmat3 place = layer_frame(layer);
-    const dvec3 middle = above_horizon(glm::transpose(place) * *at);
+    const dvec3 pointed = glm::transpose(place) * *at;
+    if (pointed.z < deepest) return;
+    const dvec3 middle = above_horizon(pointed);
     const double radius = state.brush.radius * radians;
-    if (glm::dot(middle, glm::transpose(place) * *at) < -0.5) return;
     if (state.symmetry.kind == SymmetryKind::ring && dabs != nullptr && dabs->follows_way)
         draw_ring(frame, place, angle_between({0, 0, 1}, middle), radius);
     const auto images = symmetry_images(state.symmetry);
-    const auto stamp = stamp_in_hand(state, layer, middle);
+    const NamedStamp* const stamp = stamp_in_hand(state);
     for (std::size_t i = images.size(); i-- > 0;) {
         const glm::dmat3 to = place * images[i];
         const bool first = i == 0;
         if (stamp) {
-            draw_ghost(frame, to, *stamp, first);
+            draw_ghost(frame, to, tip_of(*stamp, state, layer, middle), *stamp->thumbnail, first);
             continue;
         }
         outline(
@@ -112,10 +119,14 @@ std::function<double(dvec3 h)> brush_veil(const CanvasState& state, const Distri
     if (!paints_with(state.tool)) return {};
     const Layer layer = painted_or_new(distribution, chosen);
     const glm::dmat3 place = layer_frame(layer);
-    if (const auto stamp = stamp_in_hand(state, layer, above_horizon(glm::transpose(place) * at)))
-        return [place, tip = Tip(*stamp)](dvec3 h) { return tip(h * place); };
+    if (const NamedStamp* const stamp = stamp_in_hand(state)) {
+        const dvec3 middle = above_horizon(glm::transpose(place) * at);
+        return [place, tip = tip_of(*stamp, state, layer, middle)](dvec3 h) { return tip(h * place); };
+    }
     const double radius = state.brush.radius * radians;
-    return [at, radius](dvec3 h) {
+    const double outermost = std::cos(std::min(radius + 4 * line_width, std::numbers::pi));
+    return [at, radius, outermost](dvec3 h) {
+        if (glm::dot(h, at) < outermost) return 0.0;
         const double off = (angle_between(h, at) - radius) / line_width;
         return std::exp(-off * off);
     };

@@ -1,6 +1,7 @@
 #include "ui/brush_settings.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "ui/item_map.h"
@@ -13,11 +14,9 @@ namespace {
 constexpr const char* popup_name = "Brush settings";
 constexpr float popup_ems = 24;
 constexpr std::size_t own_brushes_max = 64;
-constexpr const char* blends[] = {"Replace", "Add", "Multiply", "Maximum"};
-constexpr const char* blend_words[] = {"Paint goes toward the brush's value, up or down.",
-                                       "Paint is added to what is there, up to full.",
-                                       "What is there is multiplied by the brush's value: it darkens.",
-                                       "Paint only lightens what is below the brush's value."};
+constexpr const char* blend_labels[] = {blends[0].label, blends[1].label, blends[2].label, blends[3].label};
+constexpr const char* blend_words[] = {blends[0].about, blends[1].about, blends[2].about, blends[3].about};
+static_assert(std::size(blends) == std::size(blend_labels));
 
 void percent(const char* label, double low, double high, double reset, const char* about, double& part) {
     double value = part * 100;
@@ -103,7 +102,7 @@ void brush_settings(CanvasState& state) {
             "From one touch of the brush to the next, of its radius. From 100 % on they come apart.",
             brush.spacing);
     int blend = static_cast<int>(brush.blend);
-    combo("Combine", blend, blends, "How paint combines with what the layer has.", blend_words);
+    combo("Combine", blend, blend_labels, "How paint combines with what the layer has.", blend_words);
     brush.blend = static_cast<Blend>(blend);
     slider({.label = "Steady hand",
             .low = 0,

@@ -97,6 +97,11 @@ void draw_line(CanvasState& state, PaintTool tool, const BrushSurface& surface, 
     end_stroke(state);
 }
 
+// Whether Escape has let go of what the button still holds: nothing more comes of it.
+bool is_cancelled(const BrushSurface& surface) {
+    return !surface.active && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
 // Shift on the canvas. Returns whether the pointer is its.
 bool size_brush(CanvasState& state, PaintTool tool, const BrushSurface& surface, Distribution& distribution,
                 std::size_t& chosen) {
@@ -108,12 +113,17 @@ bool size_brush(CanvasState& state, PaintTool tool, const BrushSurface& surface,
         state.sized =
             SizedBrush{.pixel = surface.pixel, .radius = state.brush.radius, .surface = surface.surface};
     }
+    if (is_cancelled(surface)) {
+        state.brush.radius = state.sized->radius;
+        state.sized.reset();
+        return true;
+    }
     const double way = surface.pixel.x - state.sized->pixel.x;
     state.sized->dragged = state.sized->dragged || std::abs(way) > click_pixels;
     if (state.sized->dragged)
         state.brush.radius = std::clamp(state.sized->radius * std::exp(way / pixels_a_fold), brush_radius_min,
                                         brush_radius_max);
-    if (surface.active && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
+    if (surface.active) return true;
     if (!state.sized->dragged && surface.pointed_at) draw_line(state, tool, surface, distribution, chosen);
     state.sized.reset();
     return true;
@@ -156,11 +166,11 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, const FacetDi
             begin_stroke(state, *tool, surface, *surface.pointed_at, distribution, chosen);
     }
     if (!state.held || state.held->surface != surface.surface) return pointing;
-    if (!is_painted(distribution, state.held->layer)) {
+    if (is_cancelled(surface) || !is_painted(distribution, state.held->layer)) {
         state.held.reset();
         return true;
     }
-    const bool released = !surface.active || !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    const bool released = !surface.active;
     follow(surface, *state.held, released ? 0 : state.steadiness);
     show_stroke(*state.held, distribution);
     if (released) end_stroke(state);

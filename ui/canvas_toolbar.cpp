@@ -23,19 +23,6 @@ namespace {
 
 constexpr const char* symmetries[] = {"No symmetry", "Mirror x", "Mirror y",
                                       "Mirror both", "Turns",    "Full ring"};
-struct ScaleWords {
-    const char* name;
-    const char* about;
-};
-constexpr ScaleWords scales[] = {
-    {"As seen",
-     "How p becomes brightness: half as bright to the eye halfway down, so that both a core and the "
-     "glow around it show (CIE L*)."},
-    {"Linear",
-     "How p becomes brightness: half the facets, half way down. A glow around a strong core stays "
-     "dark."},
-    {"Logarithmic",
-     "How p becomes brightness: four powers of ten, which shows the faintest haze around a core."}};
 constexpr double key_factor = 1.15;  // of the radius, for each press of [ or ]
 constexpr float hint_ems = 9;        // the least width to read a hint in
 
@@ -116,7 +103,7 @@ void choice(const char* name, int& index, const std::vector<std::string>& names,
     ImGui::EndCombo();
 }
 
-float scale_width() { return button_width("Logarithmic") + ImGui::GetFrameHeight(); }
+float scale_width() { return button_width(density_scales[2].label) + ImGui::GetFrameHeight(); }
 
 // The middle of the row: what this tool needs.
 void tool_number(CanvasState& state, ToolNeed need, float width) {
@@ -210,8 +197,9 @@ void take_keys(CanvasState& state) {
 void view_choices(CanvasState& state) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     int scale = static_cast<int>(state.scale);
-    choice("Scale", scale, {scales[0].name, scales[1].name, scales[2].name}, scale_width(),
-           scales[static_cast<std::size_t>(scale)].about);
+    std::vector<std::string> labels;
+    for (const ScaleInfo& kind : density_scales) labels.emplace_back(kind.label);
+    choice("Scale", scale, labels, scale_width(), density_scales[scale].about);
     state.scale = static_cast<ScaleKind>(scale);
     HemisphereCamera& camera = state.camera;
     ImGui::SameLine(0, gap);

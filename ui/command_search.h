@@ -23,8 +23,8 @@ struct CommandSearch {
     bool take_focus = true;
 };
 
-// The entries that hold every word of the text, in small letters or capitals: those first whose name begins
-// with it, then those whose name holds it, each in their order.
+// The entries that hold every word of the text, in any case: first those whose name begins with it, then
+// those whose name holds it, each in their order.
 std::vector<std::size_t> found_entries(std::span<const SearchEntry> entries, const std::string& text);
 
 struct SearchAnswer {

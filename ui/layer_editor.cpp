@@ -147,6 +147,7 @@ bool layer_editor(Layer& layer, LayersView& view) {
                     "\u2211 w p / \u2211 w, each layer's p of integral 1. Ctrl+click to type any number."},
         layer.weight);
     changed |= artists_fields(layer);
+    if (!view.expert) changed |= direction(layer);
     changed |=
         colour("Colour##Layer tint", layer.tint, glm::dvec3(1),
                "The colour that this layer's facets reflect, on top of the material's own. The share that "
@@ -156,9 +157,8 @@ bool layer_editor(Layer& layer, LayersView& view) {
         changed |= lobe_fields(layer.lobe, view);
         ImGui::Spacing();
         changed |= orientation(layer);
-    } else {
-        changed |= direction(layer);
-        if (!shape_of(layer.lobe)) changed |= lobe_fields(layer.lobe, view);
+    } else if (!shape_of(layer.lobe)) {
+        changed |= lobe_fields(layer.lobe, view);
     }
     changed |= modulation(layer);
     return changed;

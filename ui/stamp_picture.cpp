@@ -8,26 +8,13 @@
 namespace nacre::ui {
 namespace {
 
-constexpr int cells = 44;  // of the mesh, each way
-constexpr int taps = 2;    // of the picture for a corner of it, each way
+constexpr int cells = thumbnail_side;  // of the mesh, each way
 
 glm::dvec2 corner_at(int row, int column) { return {2.0 * column / cells - 1, 1 - 2.0 * row / cells}; }
 
-// The mean of the picture about a corner of the mesh.
-double value_about(const Raster& picture, glm::dvec2 at) {
-    double sum = 0;
-    for (int i = 0; i < taps; ++i)
-        for (int j = 0; j < taps; ++j) {
-            const glm::dvec2 off = (glm::dvec2(j, i) + 0.5) / double(taps) - 0.5;
-            sum +=
-                std::clamp(raster_value(picture.values, picture.width, at + off * (2.0 / cells)), 0.0, 1.0);
-        }
-    return sum / (taps * taps);
-}
-
 }  // namespace
 
-void draw_stamp(const Raster& picture, const StampPlace& place, ImVec4 colour) {
+void draw_stamp(const Raster& thumbnail, const StampPlace& place, ImVec4 colour) {
     struct Corner {
         std::optional<ImVec2> at;
         ImU32 colour;
@@ -36,7 +23,8 @@ void draw_stamp(const Raster& picture, const StampPlace& place, ImVec4 colour) {
     for (int row = 0; row <= cells; ++row)
         for (int column = 0; column <= cells; ++column) {
             const glm::dvec2 at = corner_at(row, column);
-            const auto paints = static_cast<float>(value_about(picture, at));
+            const double value = raster_value(thumbnail.values, thumbnail.width, at);
+            const auto paints = static_cast<float>(std::clamp(value, 0.0, 1.0));
             corners[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = {
                 place(at), ImGui::GetColorU32({colour.x, colour.y, colour.z, colour.w * paints})};
         }
@@ -58,12 +46,12 @@ void draw_stamp(const Raster& picture, const StampPlace& place, ImVec4 colour) {
         }
 }
 
-void draw_stamp(const Raster& picture, ImVec2 corner, float side, ImVec4 colour) {
+void draw_stamp(const Raster& thumbnail, ImVec2 corner, float side, ImVec4 colour) {
     const auto place = [=](glm::dvec2 at) {
         const glm::vec2 part((at.x + 1) / 2, (1 - at.y) / 2);
         return std::optional(ImVec2(corner.x + part.x * side, corner.y + part.y * side));
     };
-    draw_stamp(picture, place, colour);
+    draw_stamp(thumbnail, place, colour);
 }
 
 }  // namespace nacre::ui

@@ -14,10 +14,10 @@ namespace nacre::ui {
 // where it is hidden.
 using StampPlace = std::function<std::optional<ImVec2>(glm::dvec2 at)>;
 
-// Draws the picture as light of this colour, as strong as it paints.
-void draw_stamp(const Raster& picture, const StampPlace& place, ImVec4 colour);
+// Draws a stamp's thumbnail as light of this colour, as strong as it paints.
+void draw_stamp(const Raster& thumbnail, const StampPlace& place, ImVec4 colour);
 
 // Upright in a square of the screen.
-void draw_stamp(const Raster& picture, ImVec2 corner, float side, ImVec4 colour);
+void draw_stamp(const Raster& thumbnail, ImVec2 corner, float side, ImVec4 colour);
 
 }  // namespace nacre::ui

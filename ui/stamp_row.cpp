@@ -31,7 +31,7 @@ bool tile(const NamedStamp& stamp, bool chosen) {
     list.AddRectFilled(corner, {corner.x + side, corner.y + side + line}, ImGui::GetColorU32(back),
                        ImGui::GetStyle().FrameRounding);
     const float border = scaled(4);
-    draw_stamp(*stamp.picture, {corner.x + border, corner.y + border}, side - 2 * border, palette::text);
+    draw_stamp(*stamp.thumbnail, {corner.x + border, corner.y + border}, side - 2 * border, palette::text);
     const ImVec4 clip(corner.x, corner.y, corner.x + side, corner.y + side + line);
     const float width = std::min(ImGui::CalcTextSize(label.c_str()).x, side - 2 * border);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
@@ -74,7 +74,7 @@ void picture_button(CanvasState& state, float width) {
     tooltip_for_item("The picture to stamp with.");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float border = scaled(2);
-    draw_stamp(*stamp.picture, {corner.x + border, corner.y + border}, side - 2 * border, palette::text);
+    draw_stamp(*stamp.thumbnail, {corner.x + border, corner.y + border}, side - 2 * border, palette::text);
     const std::string label = as_label(stamp.name);
     const ImVec4 clip(corner.x, corner.y, corner.x + width - border, corner.y + side);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(),

@@ -180,7 +180,7 @@ bool button(const char* label, const char* tooltip_text, bool enabled, float wid
 void hint(const char* text) {
     const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     const ImVec2 extent = ImGui::CalcTextSize(text);
-    const float pad = scaled(10), bottom = corner.y + size.y - 3.2f * ImGui::GetFontSize();
+    const float pad = scaled(10), bottom = corner.y + size.y - 5.2f * ImGui::GetFontSize();
     const ImVec2 low(corner.x + (size.x - extent.x) / 2 - pad, bottom - extent.y - pad);
     const ImVec2 high(low.x + extent.x + 2 * pad, bottom);
     ImDrawList& list = *ImGui::GetWindowDrawList();

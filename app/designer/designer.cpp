@@ -71,7 +71,7 @@ void draw_preview(Designer& designer) {
         if (there) veil = spot(*there, probe_radius);
     } else if (!ImGui::IsAnyMouseDown()) {  // the brush's mark must not hide what it paints
         if (const auto at = there ? there : designer.preview.pointed_at())
-            veil = ui::brush_veil(canvas, frame.design.distribution, designer.layers.chosen, *at);
+            veil.strength = ui::brush_veil(canvas, frame.design.distribution, designer.layers.chosen, *at);
     }
     designer.preview.draw(frame.tables, designer.scene, veil);
     if (designer.hints_to_drag) ui::hint("Drag the highlight");
@@ -161,6 +161,7 @@ void draw_all(Designer& designer) {
                 .canvas = [&] { designer.canvas.work(designer.frame, document.design, designer.layers); },
                 .preview = [&] { work_on_preview(designer); }});
     follow_hints(designer);
+    follow_trial(designer);
     make_frame(designer);
     const Frame& frame = designer.frame;
     draw_parts(layout, places,

@@ -85,10 +85,11 @@ struct Designer {
     const char* open_tab = nullptr;                      // of the panel, that is to come to the front
     ui::LayersView layers;
     std::vector<Preset> presets;
-    std::optional<Trial> trial;  // of a preset that is pointed at
-    LiveDistribution live;       // that the frame's p comes from
-    Frame frame;                 // that is on the screen
-    double changed_at = 0;       // when p last changed, seconds on Dear ImGui's clock
+    std::optional<std::filesystem::path> pointed_preset;  // in this frame
+    std::optional<Trial> trial;                           // of it
+    LiveDistribution live;                                // that the frame's p comes from
+    Frame frame;                                          // that is on the screen
+    double changed_at = 0;  // when p last changed, seconds on Dear ImGui's clock
     std::optional<ui::CanvasTool> tool_before_erase;
     AtRest rest;  // what Escape brings back while something is dragged
 };

@@ -2,18 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace nacre {
 namespace {
 
-constexpr std::array<std::string_view, 4> blends{"replace", "add", "multiply", "maximum"};
-constexpr std::array<std::string_view, 3> scales{"perceptual", "linear", "logarithmic"};
 constexpr Range part{0, 1};
 constexpr double steadiness_max = 400;  // pixels
 constexpr double zoom_lowest = 0.25, zoom_highest = 8;
+
+// The place of a name in a list of things that have names.
+template <class Info>
+std::size_t choice_of(ObjectReader& object, std::string_view key, std::span<const Info> list) {
+    std::vector<std::string_view> names;
+    for (const Info& info : list) names.emplace_back(info.name);
+    return object.choice(key, names, 0);
+}
 
 Brush read_brush(ObjectReader& object) {
     Brush brush;
@@ -23,7 +30,7 @@ Brush read_brush(ObjectReader& object) {
     object.number("opacity", brush.opacity, part);
     object.number("spacing", brush.spacing, {spacing_min, spacing_max});
     object.number("value", brush.value, part);
-    brush.blend = static_cast<Blend>(object.choice("combine", blends, 0));
+    brush.blend = static_cast<Blend>(choice_of<BlendInfo>(object, "combine", blends));
     return brush;
 }
 
@@ -32,7 +39,7 @@ std::string brush_text(const Brush& brush) {
         "\"radius\": {}, \"hardness\": {}, \"flow\": {}, \"opacity\": {}, \"spacing\": {}, "
         "\"value\": {}, \"combine\": \"{}\"",
         brush.radius, brush.hardness, brush.flow, brush.opacity, brush.spacing, brush.value,
-        blends[static_cast<std::size_t>(brush.blend)]);
+        blends[static_cast<std::size_t>(brush.blend)].name);
 }
 
 std::string quoted(const std::string& text) {
@@ -58,7 +65,7 @@ Habits read_habits(const JsonValue& json) {
             habits.own_brushes.push_back({name, read_brush(brush)});
             brush.finish("a brush");
         }
-    habits.scale = static_cast<ScaleKind>(object.choice("scale", scales, 0));
+    habits.scale = static_cast<ScaleKind>(choice_of<ScaleInfo>(object, "scale", density_scales));
     object.flag("highlight", habits.highlight);
     object.flag("expert", habits.expert);
     object.flag("has_dragged", habits.has_dragged);
@@ -81,8 +88,8 @@ std::string habits_text(const Habits& habits) {
         "\"highlight\": {}, \"expert\": {}, \"has_dragged\": {}, \"has_painted\": {}, \"object\": {}, "
         "\"yaw\": {}, \"pitch\": {}, \"zoom\": {}}}",
         quoted(habits.tool), brush_text(habits.brush), habits.steadiness, brushes,
-        scales[static_cast<std::size_t>(habits.scale)], habits.highlight, habits.expert, habits.has_dragged,
-        habits.has_painted, quoted(habits.object), habits.yaw, habits.pitch, habits.zoom);
+        density_scales[static_cast<std::size_t>(habits.scale)].name, habits.highlight, habits.expert,
+        habits.has_dragged, habits.has_painted, quoted(habits.object), habits.yaw, habits.pitch, habits.zoom);
 }
 
 }  // namespace nacre

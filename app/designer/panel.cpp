@@ -89,7 +89,6 @@ void draw_panel(Designer& designer) {
         ImGui::EndTabItem();
     };
     designer.layers.thumbnails.update(designer.frame.p, designer.frame.revision);
-    bool presets = false;
     tab("Layers", [&] {
         draw_intensity(design.specular);
         ui::layers_panel(designer.layers, design.distribution);
@@ -100,11 +99,7 @@ void draw_panel(Designer& designer) {
         scene_panel(designer.scene);
     });
     tab("Compare", [&] { draw_compare(designer); });
-    tab("Presets", [&] {
-        presets = true;
-        draw_presets(designer);
-    });
-    if (!presets) designer.trial.reset();
+    tab("Presets", [&] { draw_presets(designer); });
     ImGui::EndTabBar();
 }
 

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/designer/designer.h"
@@ -19,16 +20,6 @@ namespace {
 
 constexpr float start_ems = 4.2f;    // width of the tiles of starts
 constexpr double added_share = 0.5;  // weight of layers that are added, of those that were there
-
-// Whoever cannot be read is told when it is clicked.
-void try_out(Designer& designer, const std::filesystem::path& file) {
-    if (designer.trial && designer.trial->file == file) return;
-    try {
-        designer.trial = Trial{file, load_design(file)};
-    } catch (const std::exception&) {
-        designer.trial.reset();
-    }
-}
 
 void add(Designer& designer, const Preset& preset) {
     try {
@@ -81,14 +72,20 @@ void draw_presets(Designer& designer) {
     ui::heading("Materials");
     const ui::PresetChoice material = draw_some(designer, false);
     if (material.hovered || material.begun || material.added) choice = material;
-    if (choice.hovered)
-        try_out(designer, designer.presets[*choice.hovered].file);
-    else
-        designer.trial.reset();
-    if (!choice.begun && !choice.added) return;
-    designer.trial.reset();
+    if (choice.hovered) designer.pointed_preset = designer.presets[*choice.hovered].file;
     if (choice.begun) designer.files.take_preset(designer.document, designer.presets[*choice.begun].file);
     if (choice.added) add(designer, designer.presets[*choice.added]);
+}
+
+// One that cannot be read is told when it is clicked.
+void follow_trial(Designer& designer) {
+    const auto pointed = std::exchange(designer.pointed_preset, std::nullopt);
+    if (designer.trial && pointed == designer.trial->file) return;
+    designer.trial.reset();
+    try {
+        if (pointed) designer.trial = Trial{*pointed, load_design(*pointed)};
+    } catch (const std::exception&) {
+    }
 }
 
 }  // namespace nacre

@@ -18,6 +18,9 @@ struct Trial {
 
 void draw_presets(Designer& designer);
 
+// After the panel's input: shows the preset that was pointed at in this frame, or the design.
+void follow_trial(Designer& designer);
+
 // The layers of `added` after those of `design`; together they get half as many facets as those had. A
 // UserError where they would be more layers than a design holds.
 void add_layers(Distribution& distribution, const Distribution& added, const std::string& name);

@@ -21,7 +21,6 @@
 namespace nacre {
 namespace {
 
-constexpr int glow_divisor = 2;        // pixels a texel: the glow is soft
 constexpr double rest_seconds = 0.12;  // without a change until the picture is drawn finely
 
 // Of an environment's light: seconds of a frame, and samples a pixel while something moves or for a
@@ -101,7 +100,7 @@ void PreviewPane::draw(const std::shared_ptr<const Tables>& tables, const Scene&
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     redraw_if_needed(scene, {int(size_.x * scale.x), int(size_.y * scale.y)});
     compared_.paint(preview_, look, corner_, size_);
-    if (veil && lights_shine(scene)) draw_glow(scene, veil);
+    if (veil.strength && lights_shine(scene)) draw_glow(scene, veil);
     draw_marks(scene);
     draw_progress();
 }
@@ -136,10 +135,9 @@ void PreviewPane::draw_marks(const Scene& scene) {
 }
 
 void PreviewPane::draw_glow(const Scene& scene, const Veil& veil) {
-    const Glow glow =
-        glow_of(scene, preview_.surface(scene, {int(size_.x), int(size_.y)}), veil, glow_divisor);
+    const Glow glow = glow_of(scene, preview_.surface(scene, {int(size_.x), int(size_.y)}), veil);
     glow_.store(glow.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, glow.rgba.data(), GL_LINEAR);
-    const glm::vec2 covered(glow.size * glow_divisor);
+    const glm::vec2 covered(glow.size * veil.texel);
     ImGui::GetWindowDrawList()->AddImage(
         reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(glow_.name())), corner_,
         ImVec2(corner_.x + covered.x, corner_.y + covered.y));

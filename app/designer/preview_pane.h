@@ -36,7 +36,7 @@ class PreviewPane {
     // right or middle drag orbits, the wheel zooms.
     void work(Scene& scene, bool taken);
 
-    // Draws into the window, redrawing only what changed, with a veil of light over it; null: none.
+    // Draws into the window, redrawing only what changed, with a veil of light over it.
     void draw(const std::shared_ptr<const Tables>& tables, const Scene& scene, const Veil& veil);
 
     // The normal of the facets that light the pixel under the pointer.

@@ -27,22 +27,23 @@ std::optional<glm::dvec3> half_vector(const Scene& scene, const SurfaceImage& su
 }
 
 Veil spot(glm::dvec3 middle, double radius) {
-    return [middle, width = radius * (std::numbers::pi / 180)](glm::dvec3 h) {
+    const auto strength = [middle, width = radius * (std::numbers::pi / 180)](glm::dvec3 h) {
         const double distance = glm::length(h - middle) / width;
         return strongest_spot * std::exp(-distance * distance);
     };
+    return {strength, 4};
 }
 
-Glow glow_of(const Scene& scene, const SurfaceImage& surface, const Veil& veil, int divisor) {
+Glow glow_of(const Scene& scene, const SurfaceImage& surface, const Veil& veil) {
     const glm::dvec3 light = light_direction(scene.light);
     Glow glow;
-    glow.size = glm::max((surface.size() + divisor - 1) / divisor, glm::ivec2(1));
+    glow.size = glm::max((surface.size() + veil.texel - 1) / veil.texel, glm::ivec2(1));
     glow.rgba.reserve(static_cast<std::size_t>(glow.size.x * glow.size.y) * 4);
     for (int row = 0; row < glow.size.y; ++row)
         for (int column = 0; column < glow.size.x; ++column) {
-            const glm::dvec2 pixel = glm::dvec2(column + 0.5, row + 0.5) * static_cast<double>(divisor);
+            const glm::dvec2 pixel = glm::dvec2(column + 0.5, row + 0.5) * static_cast<double>(veil.texel);
             const auto here = half_vector(surface, light, pixel);
-            const double alpha = here ? strongest * veil(*here) : 0;
+            const double alpha = here ? strongest * veil.strength(*here) : 0;
             glow.rgba.insert(glow.rgba.end(), {colour.x, colour.y, colour.z,
                                                static_cast<std::uint8_t>(std::lround(255 * alpha))});
         }

@@ -17,18 +17,20 @@ namespace nacre {
 // the normal of the facets that light the pixel. Nothing beside the object or where the light does not reach.
 std::optional<glm::dvec3> half_vector(const Scene& scene, const SurfaceImage& surface, glm::dvec2 pixel);
 
-// How much of a veil, from 0 to 1, lies over what facets of normal h light.
-using Veil = std::function<double(glm::dvec3 h)>;
+// A veil over what facets light.
+struct Veil {
+    std::function<double(glm::dvec3 h)> strength;  // over facets of normal h, 0 to 1; null: no veil
+    int texel = 2;                                 // its fineness, pixels
+};
 
 // Over what facets within about `radius` degrees of `middle` light, softly.
 Veil spot(glm::dvec3 middle, double radius);
 
-// A veil over the preview that shines: straight RGBA, rows from the top, `divisor` times fewer texels each
-// way than the preview has pixels.
+// A veil over the preview that shines: straight RGBA, rows from the top, in texels of the veil.
 struct Glow {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> rgba;
 };
-Glow glow_of(const Scene& scene, const SurfaceImage& surface, const Veil& veil, int divisor);
+Glow glow_of(const Scene& scene, const SurfaceImage& surface, const Veil& veil);
 
 }  // namespace nacre

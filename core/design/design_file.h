@@ -22,8 +22,7 @@ Design load_design(const std::filesystem::path& file);
 Design parse_design(std::string_view json_text, const std::string& file_name_for_errors,
                     const std::filesystem::path& base_dir);
 
-// The same for unsaved work, which may hold no
-// facets.
+// The same for unsaved work, which may hold no facets.
 Design load_work(const std::filesystem::path& file);
 Design parse_work(std::string_view json_text, const std::string& file_name_for_errors,
                   const std::filesystem::path& base_dir);

@@ -1,5 +1,6 @@
 #include "core/design/history.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -24,6 +25,9 @@ void History::push(State state) {
     while (states_.size() > steps_max + 1 || (states_.size() > 2 && pixels() > pixels_max))
         states_.pop_front();
     position_ = states_.size() - 1;
+    std::erase_if(saved_, [this](const auto& saved) {
+        return std::ranges::find(states_, saved.first, &State::document) == states_.end();
+    });
 }
 
 // Of all pictures that the states hold; states share those that did not change between them.

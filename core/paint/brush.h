@@ -6,18 +6,26 @@
 namespace nacre {
 
 // How paint combines with what is there.
-enum class Blend {
-    replace,   // goes toward the brush's value
-    add,       // up to 1
-    multiply,  // darkens: a value of 1 leaves what is there
-    maximum    // lightens what is below the value
+enum class Blend { replace, add, multiply, maximum };
+
+struct BlendInfo {
+    const char* name;   // in the settings
+    const char* label;  // in the list
+    const char* about;
 };
+
+// In the order of the enumeration.
+inline constexpr BlendInfo blends[] = {
+    {"replace", "Replace", "Paint goes toward the brush's value, up or down."},
+    {"add", "Add", "Paint is added to what is there, up to full."},
+    {"multiply", "Multiply", "What is there is multiplied by the brush's value: it darkens."},
+    {"maximum", "Maximum", "Paint only lightens what is below the brush's value."}};
 
 struct Brush {
     double radius = 8;      // degrees on the sphere of normals
     double hardness = 0.5;  // part of the radius that is covered in full
     double flow = 0.5;      // of the full effect that one dab has in its middle
-    double opacity = 1;     // of the full effect that a whole stroke has at the most
+    double opacity = 1;     // of the full effect: a whole stroke has no more
     double spacing = 0.2;   // between two dabs, radii
     double value = 1;       // that is painted, of full paint
     Blend blend = Blend::replace;

@@ -23,7 +23,7 @@ double lightness(double y) {
     return 1.16 * (y > knee * knee * knee ? std::cbrt(y) : slope * y + 4.0 / 29) - 0.16;
 }
 
-double luminance(double l) {
+double luminance_of(double l) {
     const double t = (l + 0.16) / 1.16;
     return t > knee ? t * t * t : (t - 4.0 / 29) / slope;
 }
@@ -75,7 +75,7 @@ double DensityScale::position(double p) const {
 }
 
 double DensityScale::value(double position) const {
-    if (kind == ScaleKind::perceptual) return peak * luminance(position);
+    if (kind == ScaleKind::perceptual) return peak * luminance_of(position);
     return peak * (kind == ScaleKind::logarithmic ? std::pow(10, (position - 1) * decades) : position);
 }
 

@@ -10,11 +10,24 @@
 
 namespace nacre {
 
-enum class ScaleKind {
-    perceptual,  // by lightness, CIE 1976 L*: half way up looks half as bright
-    linear,
-    logarithmic  // four decades below the peak
+enum class ScaleKind { perceptual, linear, logarithmic };
+
+struct ScaleInfo {
+    const char* name;   // in the settings
+    const char* label;  // in the list
+    const char* about;
 };
+
+// In the order of the enumeration.
+inline constexpr ScaleInfo density_scales[] = {
+    {"perceptual", "As seen",
+     "Brightness by lightness (CIE 1976 L*): halfway up looks half as bright, so that a core and the "
+     "glow around it both show."},
+    {"linear", "Linear",
+     "Brightness in proportion to p: halfway up are half as many facets. A glow around a strong core stays "
+     "dark."},
+    {"logarithmic", "Logarithmic",
+     "Brightness by powers of ten, four below the peak: shows the faintest haze around a core."}};
 
 // How values of p become colours: `peak` is the brightest.
 struct DensityScale {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/image/area_average.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/brush.h"
 #include "core/paint/raster_texels.h"
@@ -74,14 +75,10 @@ std::shared_ptr<const Raster> drawn(const Value& value) {
 }  // namespace
 
 NamedStamp named_stamp(std::string name, std::shared_ptr<const Raster> picture) {
-    dvec2 reach(0);
-    const int width = picture->width;
-    for (int row = 0; row < width; ++row)
-        for (int column = 0; column < width; ++column)
-            if (picture->values[static_cast<std::size_t>(row * width + column)] > 0)
-                reach = glm::max(reach, glm::abs(texel_point(width, row, column)) + 1.0 / width);
-    if (reach == dvec2(0)) reach = dvec2(1);
-    return {std::move(name), std::move(picture), reach};
+    auto thumbnail = picture;
+    if (picture->width > thumbnail_side)
+        thumbnail = std::make_shared<const Raster>(area_average(*picture, thumbnail_side));
+    return {std::move(name), std::move(picture), std::move(thumbnail)};
 }
 
 glm::dmat2 stamp_from_layer(const Layer& layer, dvec3 at, const StampPose& pose) {

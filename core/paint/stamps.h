@@ -15,11 +15,12 @@ namespace nacre {
 
 struct NamedStamp {
     std::string name;
-    std::shared_ptr<const Raster> picture;  // square, white paints
-    glm::dvec2 reach{1};                    // of what paints, from the middle; the picture reaches to 1
+    std::shared_ptr<const Raster> picture;    // square, white paints
+    std::shared_ptr<const Raster> thumbnail;  // the same, averaged down to thumbnail_side where it is larger
 };
 
-// With the reach that the picture has; 1 where nothing of it paints.
+inline constexpr int thumbnail_side = 44;  // pixels
+
 NamedStamp named_stamp(std::string name, std::shared_ptr<const Raster> picture);
 
 std::vector<NamedStamp> built_in_stamps();

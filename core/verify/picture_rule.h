@@ -13,8 +13,8 @@
 namespace nacre {
 
 // However rough p is, what it is integrated with is smooth but for a few lines. So a box of the lobe's
-// quadtree serves where its four children agree with it, and is parted where they do not. Where a child is
-// empty too: its points lie beside p, where all of them may agree on what p never meets.
+// quadtree serves where its four children agree with it, and is split where they do not, or where a child is
+// empty: its points lie beside p, and all of them may agree on what p never meets.
 class PictureRule {
   public:
     // The lobe has no smooth form; it is kept as a reference.
@@ -78,7 +78,7 @@ class PictureRule {
             double error = 0;
             for (std::size_t c = 0; c < fine.size(); ++c)
                 error = std::fmax(error, std::fabs(fine[c] - coarse[c]));
-            // Lines where f bends pass about 2^level boxes, and no more of those that are parted further.
+            // Lines where f bends pass about 2^level boxes, and no more of those that are split further.
             const int lines = std::min(level, PictureTree::usual_level);
             if (last || (!sparse && error <= tolerance * std::exp2(-lines))) return fine;
             fine = {};

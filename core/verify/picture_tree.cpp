@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t points = PictureTree::points;
 
-// A box that holds more than this part of its lobe is parted further than usual.
+// A box that holds more than this part of its lobe is split further than usual.
 constexpr double heavy_part = 1.0 / 4096;
 
 // From so many of the lobe's points in a box on they stand for p there; of fewer, some on its border would
@@ -71,7 +71,7 @@ Box box_at(int level, std::size_t column, std::size_t row) {
 
 }  // namespace
 
-// The usual level's boxes, row by row. Where one is heavy each is filled as the further parted ones are.
+// The usual level's boxes, row by row. Where one is heavy each is filled as those that are split further.
 struct PictureTree::Bins {
     std::vector<Weight> weight = std::vector<Weight>(std::size_t{usual_side} * usual_side);
     std::vector<std::size_t> count = std::vector<std::size_t>(weight.size());

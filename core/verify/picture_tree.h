@@ -13,7 +13,7 @@ namespace nacre {
 
 // One hemisphere of the lobe, h' seen on the equal-area disk. However rough p is, each box holds the weights
 // with which the 4 x 4 points of a Gauss grid give the integral of p times any bicubic: its moments, exact
-// for p. Boxes are parted to 256 a side, and further where one holds more than a small part of the lobe, so
+// for p. Boxes are split to 256 a side, and further where one holds more than a small part of the lobe, so
 // that few texels are resolved as well as a whole disk.
 class PictureTree {
   public:
@@ -60,7 +60,7 @@ class PictureTree {
     const PlacedLobe& placed_;
     LobeParameterization span_;
     std::vector<int> sides_;  // of the pictures whose lines run along the disk's axes
-    double heavy_;            // what a box holds that is parted further
+    double heavy_;            // what a box holds that is split further
     std::vector<Cell> cells_;
 };
 

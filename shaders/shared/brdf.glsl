@@ -37,7 +37,7 @@ struct HalfVector {
 };
 
 HalfVector half_vector(real3 k1, real3 k2) READS {
-    // Measured by its largest part first: two opposite grazing directions leave a sum whose square is no number.
+    // Scaled by its largest part first: the square of the sum of two opposite grazing directions underflows.
     real3 sum = k1 + k2;
     real reach = max(max(abs(sum.x), abs(sum.y)), abs(sum.z));
     HalfVector between;

@@ -151,19 +151,17 @@ TEST_CASE("stamps: each has white and black, within a circle or nearly") {
     }
 }
 
-TEST_CASE("stamps: the reach is that of what paints") {
-    Raster wide{8, 8, std::vector<float>(64)};
-    for (int row = 3; row < 5; ++row)
-        for (int column = 0; column < 8; ++column)
-            wide.values[static_cast<std::size_t>(row * 8 + column)] = 1;
-    CHECK(named_stamp("wide", std::make_shared<const Raster>(wide)).reach == glm::dvec2(1, 0.25));
-    const auto blank = std::make_shared<const Raster>(Raster{2, 2, std::vector<float>(4)});
-    CHECK(named_stamp("blank", blank).reach == glm::dvec2(1));
+TEST_CASE("stamps: a thumbnail paints as much as its picture, and a small picture is its own") {
     for (const NamedStamp& stamp : built_in_stamps()) {
         CAPTURE(stamp.name);
-        CHECK(stamp.reach.x > 0.8);
-        CHECK(stamp.reach.x <= 1);
-        CHECK(stamp.reach.y > 0.8);
-        CHECK(stamp.reach.y <= 1);
+        CHECK(stamp.thumbnail->width == thumbnail_side);
+        const auto mean = [](const Raster& raster) {
+            double sum = 0;
+            for (const float value : raster.values) sum += static_cast<double>(value);
+            return sum / static_cast<double>(raster.values.size());
+        };
+        CHECK(mean(*stamp.thumbnail) == doctest::Approx(mean(*stamp.picture)).epsilon(1e-5));
     }
+    const auto small = std::make_shared<const Raster>(Raster{2, 2, std::vector<float>(4, 1.0f)});
+    CHECK(named_stamp("small", small).thumbnail == small);
 }

@@ -109,3 +109,20 @@ TEST_CASE("brush: the list sets one, and one of one's own is there again after a
     REQUIRE(r.canvas().own_brushes.size() == 1);
     CHECK(r.canvas().own_brushes[0].brush == kept);
 }
+
+TEST_CASE("brush: Escape takes back a stroke on a layer that is painted, and the sizing of the brush") {
+    PaintRig r;
+    r.play("click \"Paint\"\nclick \"Canvas\":@40,0\nframes 30");
+    const Design before = r.document().design;
+    r.play(
+        "move \"Canvas\":@20,90\ndown left\nmove \"Canvas\":@50,90\nkey Escape\nframes 2\nup left\nframes 2");
+    CHECK(r.document().design == before);
+    const double radius = r.canvas().brush.radius;
+    r.play_with(false, true, false, "move \"Canvas\":0.5,0.5\ndown left\nmove \"Canvas\":0.7,0.5\nframes 1");
+    r.play("key Escape\nframes 2\nup left\nframes 2");
+    CHECK(r.canvas().brush.radius == radius);
+    CHECK(r.document().design == before);
+    // What comes after is a stroke like any other.
+    r.play("click \"Canvas\":@60,200");
+    CHECK(r.value(60, 200) > 0.3);
+}

@@ -1,4 +1,6 @@
 // The field that finds what one types.
+#include "app/designer/finder.h"
+
 #include <doctest/doctest.h>
 
 #include "core/design/design_file.h"
@@ -36,4 +38,29 @@ TEST_CASE("find: by keyboard alone a tool is taken, a preset begun, a panel open
     r.play("key Escape\nframes 3");
     CHECK(!r.designer().search);
     CHECK(r.document().design == before);
+}
+
+TEST_CASE("find: every setting that is found is on the screen then, also out of the artist's own few") {
+    test::Rig r;
+    const auto check_settings = [&] {
+        std::size_t settings = 0;
+        for (const Finding& finding : findings(r.designer())) {
+            if (finding.item.empty()) continue;
+            CAPTURE(finding.item);
+            r.designer().layers.expert = false;
+            r.play("click \"Compare\"\nframes 2");
+            finding.act(r.designer());
+            r.play("frames 3");
+            CHECK(r.stage.items().rectangle(finding.item));
+            ++settings;
+        }
+        return settings;
+    };
+    CHECK(check_settings() > 18);
+    r.document().design = load_design(presets_folder() / "copper.nacre");
+    CHECK(check_settings() > 18);
+    r.layers()[0].lobe = CurveLobe{};
+    r.document().design.fresnel = ConductorFresnel{};
+    r.document().design.diffuse = LambertianDiffuse{};
+    CHECK(check_settings() > 18);
 }

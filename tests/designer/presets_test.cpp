@@ -81,6 +81,11 @@ TEST_CASE("presets: one that is pointed at is shown, and leaves no trace") {
     CHECK(!r.document().history.can_undo());
     r.play("move \"Preset Satin\"\nframes 3\nclick \"Layers\"\nframes 3");
     CHECK(r.designer().frame.design == before);
+    // Also where the panel goes away beneath the pointer.
+    r.play("click \"Presets\"\nframes 2\nmove \"Preset Satin\"\nframes 3");
+    CHECK(r.designer().frame.design == satin());
+    r.play("key Tab\nframes 3");
+    CHECK(r.designer().frame.design == before);
 }
 
 TEST_CASE("presets: added as layers, with half as many facets as there were") {

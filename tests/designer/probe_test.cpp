@@ -53,7 +53,7 @@ TEST_CASE("probe: under a mirror's highlight the facets are those along n") {
         // To the right of it the normals lean right, so the facets that light it lean left.
         CHECK(half_vector(scene, surface, pixel + glm::dvec2(40, 0))->x < -0.05);
         CHECK(!half_vector(scene, surface, {2, 2}));
-        const Glow glow = glow_of(scene, surface, spot({0, 0, 1}, 3), 4);
+        const Glow glow = glow_of(scene, surface, spot({0, 0, 1}, 3));
         const auto alpha = [&](glm::dvec2 at) {
             const glm::ivec2 texel(at / 4.0);
             return int(glow.rgba[static_cast<std::size_t>((texel.y * glow.size.x + texel.x) * 4 + 3)]);

@@ -108,7 +108,7 @@ TEST_CASE("labels: stamps of a user") {
     check_whole([](const char* name) {
         ui::CanvasState state;
         state.tool = ui::CanvasTool::stamp;
-        state.stamps.push_back({name, state.stamps.front().picture});
+        state.stamps.push_back(named_stamp(name, state.stamps.front().picture));
         state.stamp = state.stamps.size() - 1;
         Distribution distribution;
         std::size_t chosen = 0;

@@ -2,7 +2,7 @@
 
 namespace nacre {
 
-const Command find_command_command{
+const Command find_command{
     .info = {.menu = "Edit",
              .label = "Find",
              .keys = "Ctrl+K",
