@@ -128,6 +128,7 @@ void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasCont
     }
     const float text_left = right - ImGui::CalcTextSize(text.c_str()).x;
     text_at({text_left, top}, text, colour);
+    if (contents.scale.kind == ScaleKind::material) return;  // its colours stand for no numbers
     // Where the canvas is narrow the numbers go first.
     const float bar_end = bar + width + size * 0.5f + ImGui::CalcTextSize(most.c_str()).x;
     if (!text.empty() && bar_end + size * 0.5f > text_left) return;

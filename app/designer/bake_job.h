@@ -17,8 +17,9 @@ namespace nacre {
 
 struct BakeRequest {
     Design design;
-    bool albedo = false;  // R is wanted even where no diffuse term reads it
-    bool settled = true;  // false while a hand still moves something: a draft will do
+    std::shared_ptr<const FacetDistribution> p;  // of the design, if it is made already
+    bool albedo = false;                         // R is wanted even where no diffuse term reads it
+    bool settled = true;                         // false while a hand still moves something: a draft will do
     bool operator==(const BakeRequest&) const = default;
 };
 

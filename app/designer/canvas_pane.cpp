@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "app/designer/lit_picture.h"
+
 namespace nacre {
 namespace {
 
@@ -24,7 +26,8 @@ bool shows_below(const FacetDistribution& p) { return p.projected_area({0, 0, -1
 
 // What the hand works on.
 ui::CanvasSight sight_of(const Frame& frame, const ui::LayersView& layers) {
-    return {.p = frame.p, .mean = frame.p && !layers.solo ? std::optional(frame.p->mean()) : std::nullopt};
+    return {.p = frame.p.get(),
+            .mean = frame.p && !layers.solo ? std::optional(frame.p->mean()) : std::nullopt};
 }
 
 }  // namespace
@@ -58,7 +61,9 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
     if (scaled_revision_ != wanted.revision) scale_.peak = peak_density(p);
     scaled_revision_ = wanted.revision;
     scale_.kind = wanted.scale;
-    const DensityPicture picture = density_picture(p, view, scale_, wanted.divisor);
+    const HemispherePicture picture = wanted.tables
+                                          ? lit_picture(*wanted.tables, wanted.light, view, wanted.divisor)
+                                          : density_picture(p, view, scale_, wanted.divisor);
     picture_.store(picture.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data(), GL_LINEAR);
     texels_ = picture.size;
     drawn_ = wanted;
@@ -75,10 +80,14 @@ HemisphereView CanvasPane::view() const {
     return {state.camera, frame_.view.size() * pixels};
 }
 
-void CanvasPane::update(const Frame& frame) {
+void CanvasPane::update(const Frame& frame, const Scene& scene) {
     const HemisphereView seen = view();
     Drawn wanted{
         .revision = frame.revision, .camera = state.camera, .size = seen.size(), .scale = state.scale};
+    if (state.scale == ScaleKind::material && frame.tables) {
+        wanted.tables = frame.tables;
+        wanted.light = scene.light.irradiance * std::exp2(scene.exposure);
+    }
     wanted.divisor = divisor(wanted);
     if (frame.p && wanted != drawn_) redraw(*frame.p, seen, wanted);
 }
@@ -91,7 +100,7 @@ void CanvasPane::draw(const Frame& frame, const Design& design, const ui::Layers
     ui::end_canvas(state, frame_,
                    {.design = &design.distribution,
                     .chosen = layers.chosen,
-                    .p = frame.p,
+                    .p = frame.p.get(),
                     .picture = frame.p ? texture : nullptr,
                     .picture_size = {covered.x, covered.y},
                     .scale = scale_,

@@ -3,6 +3,7 @@
 
 #include "app/designer/frame.h"
 #include "app/preview/gl_objects.h"
+#include "app/preview/scene.h"
 #include "core/design/design.h"
 #include "ui/hemisphere_canvas.h"
 #include "ui/layers_panel.h"
@@ -17,8 +18,8 @@ class CanvasPane {
     // Fills the current Dear ImGui window, where the tools work on `design`. `seen`: what is on the screen.
     void work(const Frame& seen, Design& design, ui::LayersView& layers);
 
-    // Makes the picture of p, as work() left the camera.
-    void update(const Frame& frame);
+    // Makes the picture, as work() left the camera: of p, or of what p shines like under the main light.
+    void update(const Frame& frame, const Scene& scene);
 
     // Draws it into the window, once work() and update() are done. `marked` is a normal that the preview
     // points at.
@@ -41,6 +42,8 @@ class CanvasPane {
         HemisphereCamera camera;
         glm::dvec2 size{0};  // pixels of the framebuffer
         ScaleKind scale = ScaleKind::perceptual;
+        std::shared_ptr<const Tables> tables = nullptr;  // that it shines by; null: p
+        glm::dvec3 light{0};                             // irradiance times exposure
         int divisor = 0;
         bool operator==(const Drawn&) const = default;
     };

@@ -50,8 +50,8 @@ void work_on_preview(Designer& designer) {
     ui::CanvasState& canvas = designer.canvas.state;
     const auto sphere = designer.preview.point(scene);
     const bool taken = sphere && canvas.tool != ui::CanvasTool::handles &&
-                       ui::use_tool(canvas, *sphere, designer.frame.p, designer.document.design.distribution,
-                                    designer.layers.chosen);
+                       ui::use_tool(canvas, *sphere, designer.frame.p.get(),
+                                    designer.document.design.distribution, designer.layers.chosen);
     designer.preview.work(scene, taken);
 }
 
@@ -101,6 +101,7 @@ void draw_status(Designer& designer) {
 // Asks for tables of this design unless they are what was asked for last.
 void ask(Designer& designer, const Design& shown) {
     designer.baker.want({.design = shown,
+                         .p = designer.frame.p,
                          .albedo = designer.scene.ambient || designer.plots.wants_albedo(),
                          .settled = designer.frame.settled});
 }
@@ -115,11 +116,11 @@ void make_frame(Designer& designer) {
     frame.settled = !ImGui::IsAnyMouseDown() || now - designer.changed_at > rest_seconds;
     frame.p = nullptr;  // whatever is thrown from here on
     frame.design = std::move(shown);
-    ask(designer, frame.design);
     frame.p = designer.live.of(frame.design.distribution);
     frame.revision = designer.live.revision();
+    ask(designer, frame.design);
     // The bake runs meanwhile.
-    designer.canvas.update(frame);
+    designer.canvas.update(frame, designer.scene);
     const auto longest = designer.preview.has_picture() ? patience : first_patience;
     if (auto tables = designer.baker.poll(longest)) frame.tables = std::move(tables);
 }

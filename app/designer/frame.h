@@ -11,11 +11,11 @@
 namespace nacre {
 
 struct Frame {
-    Design design;                         // with the layers that are shown
-    const FacetDistribution* p = nullptr;  // of it, until the next frame; null where it has no facets
-    int revision = 0;                      // rises whenever p changes
-    std::shared_ptr<const Tables> tables;  // the newest, of this design or of one before
-    bool settled = true;                   // nothing moves p: final tables are worth their time
+    Design design;                               // with the layers that are shown
+    std::shared_ptr<const FacetDistribution> p;  // of it; null where it has no facets
+    int revision = 0;                            // rises whenever p changes
+    std::shared_ptr<const Tables> tables;        // the newest, of this design or of one before
+    bool settled = true;                         // nothing moves p: final tables are worth their time
 };
 
 }  // namespace nacre

@@ -88,7 +88,7 @@ void draw_panel(Designer& designer) {
         contents();
         ImGui::EndTabItem();
     };
-    designer.layers.thumbnails.update(designer.frame.p, designer.frame.revision);
+    designer.layers.thumbnails.update(designer.frame.p.get(), designer.frame.revision);
     tab("Layers", [&] {
         draw_intensity(design.specular);
         ui::layers_panel(designer.layers, design.distribution);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/preview/filmic.h"
+
 namespace nacre {
 namespace {
 
@@ -12,18 +14,6 @@ constexpr double sphere_part = 0.39;  // radius, of the picture's shorter side, 
 
 constexpr glm::dvec3 wall{0.045, 0.047, 0.052};  // radiance
 constexpr double middle_grey = 0.18;
-
-// The radiance times exposure that the filmic curve of develop.frag shows as `shown`, in [0, 1]: the positive
-// root of its quadratic.
-double unfilmic(double shown) {
-    const auto curve = [](double x) {
-        return (x * (0.15 * x + 0.05) + 0.004) / (x * (0.15 * x + 0.5) + 0.06);
-    };
-    const double zero = 0.02 / 0.3;
-    const double k = shown * (curve(11.2) - zero) + zero;
-    const double a = 0.15 * (1 - k), b = 0.05 - 0.5 * k, c = 0.004 - 0.06 * k;
-    return (std::sqrt(std::max(b * b - 4 * a * c, 0.0)) - b) / (4 * a);
-}
 
 glm::dvec3 shown_background(const Scene& scene) {
     switch (scene.background) {

@@ -33,6 +33,8 @@ bool same_place(const Layer& a, const Layer& b) {
     return a.tilt == b.tilt && a.azimuth == b.azimuth && a.rotation == b.rotation;
 }
 
+bool same_lobe(const Layer& a, const Layer& b) { return a.lobe == b.lobe && a.modulation == b.modulation; }
+
 // Everything that the table of g and its measured error depend on.
 bool same_area(const Design& a, const Design& b) {
     return facets_alone(a.distribution) == facets_alone(b.distribution) &&
@@ -62,7 +64,29 @@ bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
 
 }  // namespace
 
-Baker::Followed Baker::follow(const Distribution& distribution) const {
+// The lobe of a layer in the p before; null where it has none.
+const PlacedLobe* Baker::lobe_before(std::size_t layer) const {
+    if (!distribution_) return nullptr;
+    const auto& lobes = distribution_->lobes();
+    const auto found = std::ranges::find(lobes, layer, &PlacedLobe::layer);
+    return found == lobes.end() ? nullptr : &*found;
+}
+
+// With the lobes before where they are the same but for a touch of the brush.
+std::shared_ptr<const FacetDistribution> Baker::make(const Distribution& distribution) const {
+    return std::make_shared<const FacetDistribution>(
+        distribution, [&](const Layer& layer, std::size_t index) -> std::shared_ptr<const LobeModel> {
+            if (const PlacedLobe* before = lobe_before(index)) {
+                if (same_lobe(layer, before_.layers[index])) return before->lobe;
+                if (auto touched = repaint(*before->lobe, layer)) return touched;
+            }
+            return make_lobe(layer);
+        });
+}
+
+// `p`: of the distribution, or null.
+Baker::Followed Baker::follow(const Distribution& distribution,
+                              std::shared_ptr<const FacetDistribution> p) const {
     Followed now;
     if (distribution_ && before_ == distribution) {
         now.distribution = distribution_;
@@ -70,32 +94,19 @@ Baker::Followed Baker::follow(const Distribution& distribution) const {
         now.same_lobes = true;
         return now;
     }
-    auto lobe_before = [&](std::size_t index) -> const PlacedLobe* {
-        if (!distribution_ || index >= before_.layers.size()) return nullptr;
-        const auto& lobes = distribution_->lobes();
-        const auto found = std::find_if(lobes.begin(), lobes.end(),
-                                        [&](const PlacedLobe& placed) { return placed.layer == index; });
-        return found == lobes.end() ? nullptr : &*found;
-    };
-    bool same = distribution_ != nullptr;
-    auto lobe_of = [&](const Layer& layer, std::size_t index) {
-        now.changes.emplace_back();
-        const PlacedLobe* placed = lobe_before(index);
-        same = same && placed && same_place(layer, before_.layers[index]);
-        if (placed && layer.lobe == before_.layers[index].lobe &&
-            layer.modulation == before_.layers[index].modulation)
-            return placed->lobe;
-        if (placed) {
-            if (std::optional<Repaint> touched = repaint(*placed->lobe, layer)) {
-                now.changes.back() = std::move(touched->changes);
-                return touched->lobe;
-            }
-        }
-        same = false;
-        return make_lobe(layer);
-    };
-    now.distribution = std::make_shared<const FacetDistribution>(distribution, lobe_of);
-    now.same_lobes = same && now.changes.size() == distribution_->lobes().size();
+    now.distribution = p ? std::move(p) : make(distribution);
+    const auto& lobes = now.distribution->lobes();
+    now.changes.resize(lobes.size());
+    now.same_lobes = distribution_ && lobes.size() == distribution_->lobes().size();
+    for (std::size_t i = 0; i < lobes.size() && now.same_lobes; ++i) {
+        const std::size_t index = lobes[i].layer;
+        const PlacedLobe* const before = lobe_before(index);
+        now.same_lobes = before && same_place(distribution.layers[index], before_.layers[index]);
+        if (!now.same_lobes || same_lobe(distribution.layers[index], before_.layers[index])) continue;
+        auto painted = painted_between(*before->lobe, *lobes[i].lobe);
+        now.same_lobes = painted.has_value();
+        if (painted) now.changes[i] = std::move(*painted);
+    }
     return now;
 }
 
@@ -184,7 +195,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     Kept made{.design = named, .options = options};
     made.needs = needs_of(named, {options.albedo, options.symmetry});
     const Distribution facets = facets_alone(named.distribution);
-    const Followed now = workers.run([&] { return follow(facets); });
+    const Followed now = workers.run([&] { return follow(facets, options.p); });
     report(0.1);
     auto tables = std::make_shared<Tables>();
     describe_material(named, *now.distribution, tables->shading);

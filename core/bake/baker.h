@@ -54,14 +54,16 @@ class Baker {
         KeptAlbedo albedo = {};
     };
 
-    // What lobes the new distribution shares with the one before.
+    // The new p against the one before.
     struct Followed {
         std::shared_ptr<const FacetDistribution> distribution;
         std::vector<std::vector<Facet>> changes;  // of each lobe, what a brush has added
         bool same_lobes = false;                  // in the same places but for the changes
     };
 
-    Followed follow(const Distribution& distribution) const;
+    Followed follow(const Distribution& distribution, std::shared_ptr<const FacetDistribution> p) const;
+    std::shared_ptr<const FacetDistribution> make(const Distribution& distribution) const;
+    const PlacedLobe* lobe_before(std::size_t layer) const;
     KeptArea make_area(const Kept& made, const Followed& now, const Shading<double>& material,
                        Workers& workers);
     std::optional<KeptArea> sum_area(const Kept& made, const Followed& now, const Shading<double>& material,

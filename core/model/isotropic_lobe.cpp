@@ -27,18 +27,15 @@ Ring visible_ring(double sine, double cosine, double k_sine, double k_cosine) {
     return {2 * sine * std::sin(phi), 2 * cosine * phi};
 }
 
-// theta over a piece of p that holds no corner, mapped so that the (3/2) powers at the ends, where a ring
-// begins or ceases to be wholly visible, become smooth: x = s^3 (10 - 15 s + 6 s^2).
+// theta over a piece of p that holds no corner; at the ends a ring begins or ceases to be wholly visible.
 template <class Visit>
 void for_each_node(double a, double b, std::size_t pieces, const Visit& visit) {
     const auto& rule = pieces > 24  ? gauss_legendre<10>()
                        : pieces > 5 ? gauss_legendre<16>()
                                     : gauss_legendre<32>();
     for (const QuadraturePoint& node : rule) {
-        const double s = node.x;
-        const double x = s * s * s * (10 + s * (6 * s - 15));
-        const double dx = 30 * s * s * (1 - s) * (1 - s);
-        visit(a + (b - a) * x, (b - a) * dx * node.weight);
+        const QuadraturePoint at = toward_ends(node.x);
+        visit(a + (b - a) * at.x, (b - a) * at.weight * node.weight);
     }
 }
 

@@ -5,13 +5,14 @@
 
 namespace nacre {
 
-const FacetDistribution* LiveDistribution::of(const Distribution& distribution) {
+std::shared_ptr<const FacetDistribution> LiveDistribution::of(const Distribution& distribution) {
     if (design_ != distribution) {
         std::vector<std::shared_ptr<const LobeModel>> models(distribution.layers.size());
         try {
-            facets_.emplace(distribution, [&](const Layer& layer, std::size_t index) {
-                return models[index] = model_of(layer, index);
-            });
+            facets_ = std::make_shared<const FacetDistribution>(
+                distribution, [&](const Layer& layer, std::size_t index) {
+                    return models[index] = model_of(layer, index);
+                });
         } catch (const UserError&) {
             facets_.reset();
         }
@@ -19,7 +20,7 @@ const FacetDistribution* LiveDistribution::of(const Distribution& distribution) 
         models_ = std::move(models);
         ++revision_;
     }
-    return newest();
+    return facets_;
 }
 
 // The old one of an equal layer wherever it stood, the old one of this layer with a touch of the brush, or a
@@ -30,7 +31,7 @@ std::shared_ptr<const LobeModel> LiveDistribution::model_of(const Layer& layer, 
             design_->layers[i].modulation == layer.modulation)
             return models_[i];
     if (index < models_.size() && models_[index])
-        if (auto touched = repaint(*models_[index], layer)) return touched->lobe;
+        if (auto touched = repaint(*models_[index], layer)) return touched;
     return make_lobe(layer);
 }
 

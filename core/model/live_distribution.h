@@ -1,5 +1,5 @@
-// p of a design that is being edited, for display: what has not changed since the last call
-// is reused, so that a slider costs microseconds and a dab of the brush about a millisecond.
+// p of a design that is being edited: what has not changed since the last call is reused, so that a slider
+// costs microseconds and a dab of the brush about a millisecond.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,7 @@ namespace nacre {
 class LiveDistribution {
   public:
     // Brings p up to date; null where the design has none (no facets, or none that face up on the whole).
-    // The pointer is valid until the next call.
-    const FacetDistribution* of(const Distribution& distribution);
-
-    // What of() returned last.
-    const FacetDistribution* newest() const { return facets_ ? &*facets_ : nullptr; }
+    std::shared_ptr<const FacetDistribution> of(const Distribution& distribution);
 
     // Rises whenever p changes.
     int revision() const { return revision_; }
@@ -25,7 +21,7 @@ class LiveDistribution {
 
     std::optional<Distribution> design_;                    // that facets_ was made from
     std::vector<std::shared_ptr<const LobeModel>> models_;  // of its layers; null for those left out
-    std::optional<FacetDistribution> facets_;
+    std::shared_ptr<const FacetDistribution> facets_;
     int revision_ = 0;
 };
 

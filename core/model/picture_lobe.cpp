@@ -264,23 +264,30 @@ std::vector<int> picture_sides(const LobeModel& lobe) {
     return painted ? painted->sides() : std::vector<int>();
 }
 
-std::optional<Repaint> repaint(const LobeModel& before, const Layer& after) {
+std::shared_ptr<const LobeModel> repaint(const LobeModel& before, const Layer& after) {
     const auto* lobe = dynamic_cast<const Painted*>(&before);
     const auto* painted = std::get_if<PaintedLobe>(&after.lobe);
-    if (!lobe || !painted || lobe->modulation() != after.modulation) return {};
+    if (!lobe || !painted || lobe->modulation() != after.modulation) return nullptr;
     const Raster& raster = *painted->image.raster;
-    if (lobe->raster().width != raster.width) return {};
-    if (tents_a_texel(raster, Fineness::bake) != lobe->finer()) return {};
-    const MomentPyramid::Part texels = difference(lobe->raster(), raster);
-    auto repainted = std::make_shared<const Painted>(*lobe, painted->image.raster, texels);
-    Repaint result{repainted, {}};
-    const MomentPyramid::Part part = lobe->facets_of(texels);
+    if (lobe->raster().width != raster.width) return nullptr;
+    if (tents_a_texel(raster, Fineness::bake) != lobe->finer()) return nullptr;
+    return std::make_shared<const Painted>(*lobe, painted->image.raster, difference(lobe->raster(), raster));
+}
+
+std::optional<std::vector<Facet>> painted_between(const LobeModel& before, const LobeModel& after) {
+    const auto* old = dynamic_cast<const Painted*>(&before);
+    const auto* now = dynamic_cast<const Painted*>(&after);
+    if (!old || !now || old->raster().width != now->raster().width || old->finer() != now->finer() ||
+        old->modulation() != now->modulation())
+        return {};
+    std::vector<Facet> changes;
+    const MomentPyramid::Part part = old->facets_of(difference(old->raster(), now->raster()));
     for (int row = part.row_begin; row < part.row_end; ++row)
         for (int column = part.column_begin; column < part.column_end; ++column) {
-            const Facet old = lobe->facet(row, column), now = repainted->facet(row, column);
-            if (now.mass != old.mass) result.changes.push_back({now.h, now.mass - old.mass});
+            const Facet was = old->facet(row, column), is = now->facet(row, column);
+            if (is.mass != was.mass) changes.push_back({is.h, is.mass - was.mass});
         }
-    return result;
+    return changes;
 }
 
 }  // namespace nacre

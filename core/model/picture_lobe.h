@@ -12,17 +12,15 @@ std::vector<Facet> texel_facets(const Raster& raster, const std::optional<Modula
 // Texels a side of the pictures that a painted lobe is bilinear between; none of any other lobe.
 std::vector<int> picture_sides(const LobeModel& lobe);
 
-// A painted lobe after a brush has touched its raster.
-struct Repaint {
-    std::shared_ptr<const LobeModel>
-        lobe;  // bit-identical to PaintedLobe::modulated_model(), at the cost of the dab
-    // In the lobe's frame; mass is what was added, of either sign. That each represents a small patch, which
-    // the lobe's g knows, is left out.
-    std::vector<Facet> changes;
-};
+// A painted lobe after a brush has touched its raster: bit-identical to PaintedLobe::modulated_model(), at
+// the cost of the dab. Null where `before` is not the painted lobe of a raster of the same size with the same
+// modulation.
+std::shared_ptr<const LobeModel> repaint(const LobeModel& before, const Layer& after);
 
-// Nothing where `before` is not the painted lobe of a raster of the same size with the same modulation.
-std::optional<Repaint> repaint(const LobeModel& before, const Layer& after);
+// The facets that a brush has added between two such lobes, in the lobe's frame; mass is what was added, of
+// either sign. That each represents a small patch, which the lobe's g knows, is left out. Nothing where
+// the lobes are no such pair.
+std::optional<std::vector<Facet>> painted_between(const LobeModel& before, const LobeModel& after);
 
 // `base` has spans(), so it is any lobe but a painted one.
 std::shared_ptr<const LobeModel> make_modulated_lobe(std::shared_ptr<const LobeModel> base,

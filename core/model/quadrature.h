@@ -31,6 +31,12 @@ struct GaussKronrod {
 
 const GaussKronrod& gauss_kronrod();
 
+// A map of [0, 1] onto itself, x = s^3 (10 - 15 s + 6 s^2), and its derivative as the weight: rules get close
+// to both ends, and a power of 3/2 there becomes smooth.
+inline QuadraturePoint toward_ends(double s) {
+    return {s * s * s * (10 + s * (6 * s - 15)), 30 * s * s * (1 - s) * (1 - s)};
+}
+
 // Adaptive Gauss-Kronrod (7, 15) of a vector-valued f over [a, b]: halves an interval until the two rules
 // agree within `tolerance` (absolute, halved with the interval, every component) or `depth` is used up.
 template <std::size_t Size, class Function>

@@ -28,6 +28,8 @@ double luminance_of(double l) {
     return t > knee ? t * t * t : (t - 4.0 / 29) / slope;
 }
 
+bool is_perceptual(ScaleKind kind) { return kind == ScaleKind::perceptual || kind == ScaleKind::material; }
+
 std::array<glm::u8vec3, colours> colour_table() {
     std::array<glm::u8vec3, colours> table{};
     for (int i = 0; i < colours; ++i) table[static_cast<std::size_t>(i)] = inferno(i / (colours - 1.0));
@@ -70,12 +72,12 @@ Directions peak_grid() {
 double DensityScale::position(double p) const {
     if (!(p > 0) || !(peak > 0)) return 0;
     const double part = p / peak;
-    if (kind == ScaleKind::perceptual) return std::min(lightness(part), 1.0);
+    if (is_perceptual(kind)) return std::min(lightness(part), 1.0);
     return std::clamp(kind == ScaleKind::logarithmic ? 1 + std::log10(part) / decades : part, 0.0, 1.0);
 }
 
 double DensityScale::value(double position) const {
-    if (kind == ScaleKind::perceptual) return peak * luminance_of(position);
+    if (is_perceptual(kind)) return peak * luminance_of(position);
     return peak * (kind == ScaleKind::logarithmic ? std::pow(10, (position - 1) * decades) : position);
 }
 
@@ -89,31 +91,44 @@ double peak_density(const FacetDistribution& p) {
     return peak;
 }
 
-DensityPicture density_picture(const FacetDistribution& p, const HemisphereView& view,
-                               const DensityScale& scale, int divisor) {
-    static const std::array<glm::u8vec3, colours> table = colour_table();
-    DensityPicture picture;
+HemispherePicture hemisphere_picture(const HemisphereView& view, int divisor, const RowColours& colours_of) {
+    HemispherePicture picture;
     picture.size = glm::max(glm::ivec2(glm::ceil(view.size() / static_cast<double>(divisor))), 1);
     picture.rgba.reserve(static_cast<std::size_t>(picture.size.x * picture.size.y) * 4);
     std::vector<double> covered(static_cast<std::size_t>(picture.size.x));
+    std::vector<dvec3> directions;
     for (int row = 0; row < picture.size.y; ++row) {
-        Directions directions;
+        directions.clear();
         for (int column = 0; column < picture.size.x; ++column) {
             const glm::dvec2 pixel = glm::dvec2(column + 0.5, row + 0.5) * static_cast<double>(divisor);
             double& share = covered[static_cast<std::size_t>(column)];
             share = view.coverage(pixel);
-            if (share > 0) directions.add(view.nearest_direction(pixel));
+            if (share > 0) directions.push_back(view.nearest_direction(pixel));
         }
-        const std::vector<double> densities = directions.densities(p);
-        auto density = densities.begin();
+        const std::vector<glm::u8vec3> row_colours = colours_of(directions);
+        auto colour = row_colours.begin();
         for (const double share : covered) {
-            const double position = share > 0 ? scale.position(*density++) : 0;
-            const glm::u8vec3 c = table[static_cast<std::size_t>(std::lround(position * (colours - 1)))];
+            const glm::u8vec3 c = share > 0 ? *colour++ : glm::u8vec3(0);
             const auto alpha = static_cast<std::uint8_t>(std::lround(255 * share));
             picture.rgba.insert(picture.rgba.end(), {c.x, c.y, c.z, alpha});
         }
     }
     return picture;
+}
+
+HemispherePicture density_picture(const FacetDistribution& p, const HemisphereView& view,
+                                  const DensityScale& scale, int divisor) {
+    static const std::array<glm::u8vec3, colours> table = colour_table();
+    return hemisphere_picture(view, divisor, [&](std::span<const dvec3> row) {
+        Directions directions;
+        for (const dvec3 h : row) directions.add(h);
+        std::vector<glm::u8vec3> shown;
+        shown.reserve(row.size());
+        for (const double density : directions.densities(p))
+            shown.push_back(
+                table[static_cast<std::size_t>(std::lround(scale.position(density) * (colours - 1)))]);
+        return shown;
+    });
 }
 
 }  // namespace nacre

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "core/model/facet_distribution.h"
@@ -10,7 +13,7 @@
 
 namespace nacre {
 
-enum class ScaleKind { perceptual, linear, logarithmic };
+enum class ScaleKind { perceptual, linear, logarithmic, material };
 
 struct ScaleInfo {
     const char* name;   // in the settings
@@ -27,12 +30,15 @@ inline constexpr ScaleInfo density_scales[] = {
      "Brightness in proportion to p: halfway up are half as many facets. A glow around a strong core stays "
      "dark."},
     {"logarithmic", "Logarithmic",
-     "Brightness by powers of ten, four below the peak: shows the faintest haze around a core."}};
+     "Brightness by powers of ten, four below the peak: shows the faintest haze around a core."},
+    {"material", "Material",
+     "The material's own colours under the main light, as a sphere shows them that is lit and seen from the "
+     "same side."}};
 
 // How values of p become colours: `peak` is the brightest.
 struct DensityScale {
-    double peak = 1;  // 1/sr
-    ScaleKind kind = ScaleKind::perceptual;
+    double peak = 1;                         // 1/sr
+    ScaleKind kind = ScaleKind::perceptual;  // `material` is no scale of p and counts as perceptual
 
     double position(double p) const;      // in [0, 1]
     double value(double position) const;  // its inverse, for p from peak/10^4 upward
@@ -42,13 +48,19 @@ struct DensityScale {
 // between the grid's points may be higher.
 double peak_density(const FacetDistribution& p);
 
-struct DensityPicture {
+struct HemispherePicture {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> rgba;  // rows from the top, straight alpha, transparent beside the hemisphere
 };
 
-// p under each pixel's middle; `divisor` times fewer pixels each way than the view has.
-DensityPicture density_picture(const FacetDistribution& p, const HemisphereView& view,
-                               const DensityScale& scale, int divisor);
+// Colours of the directions under the middles of a row's pixels, sRGB.
+using RowColours = std::function<std::vector<glm::u8vec3>(std::span<const dvec3> directions)>;
+
+// `divisor` times fewer pixels each way than the view has.
+HemispherePicture hemisphere_picture(const HemisphereView& view, int divisor, const RowColours& colours);
+
+// p, by a scale of brightness.
+HemispherePicture density_picture(const FacetDistribution& p, const HemisphereView& view,
+                                  const DensityScale& scale, int divisor);
 
 }  // namespace nacre

@@ -26,12 +26,17 @@ class SpanIntegral {
                  double tolerance, const std::stop_token& stop)
         : walk_(placed, span, k), span_(span), k_(k), unit_(unit), tolerance_(tolerance), stop_(stop) {}
 
+    // Where k grazes, facets turn from it at all angles within a hair of each half's ends.
     Pair adaptive() const {
         Pair sum{};
         for (int half = 0; half < 2; ++half) {
-            const Pair part =
-                integrate_adaptively<2>([&](double psi) { return over_chi(psi); }, walk_.start() + half * pi,
-                                        walk_.start() + (half + 1) * pi, tolerance_, depth);
+            const auto at = [&](double s) {
+                const QuadraturePoint psi = toward_ends(s);
+                Pair values = over_chi(walk_.start() + (half + psi.x) * pi);
+                for (double& value : values) value *= pi * psi.weight;
+                return values;
+            };
+            const Pair part = integrate_adaptively<2>(at, 0, 1, tolerance_, depth);
             for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
         }
         return sum;

@@ -60,10 +60,11 @@ void add_dab(Report& report) {
         const Pair pair = interleave(
             state, 1,
             [&] {
-                const Repaint touched = *repaint(lobe, layer);
+                const auto touched = repaint(lobe, layer);
                 auto distribution = std::make_shared<const FacetDistribution>(
-                    after.distribution, [&](const Layer&, std::size_t) { return touched.lobe; });
-                benchmark::DoNotOptimize(AreaTable(table, distribution, {touched.changes}, workers));
+                    after.distribution, [&](const Layer&, std::size_t) { return touched; });
+                benchmark::DoNotOptimize(
+                    AreaTable(table, distribution, {*painted_between(lobe, *touched)}, workers));
             },
             [&] { benchmark::DoNotOptimize(anew(after)); });
         report.add(faster(what, pair, 30));

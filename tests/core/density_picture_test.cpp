@@ -22,7 +22,7 @@ double luminance(glm::u8vec3 c) {
     return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
 }
 
-glm::u8vec3 texel(const DensityPicture& picture, int column, int row) {
+glm::u8vec3 texel(const HemispherePicture& picture, int column, int row) {
     const auto at = static_cast<std::size_t>((row * picture.size.x + column) * 4);
     return {picture.rgba[at], picture.rgba[at + 1], picture.rgba[at + 2]};
 }
@@ -67,7 +67,7 @@ TEST_CASE("density picture: brightest at the lobe's axis, transparent beside the
     const HemisphereView view({.highlight = false}, {200, 200});
     const double peak = peak_density(p);
     CHECK(peak == doctest::Approx(p.density(axis)));
-    const DensityPicture picture = density_picture(p, view, {.peak = peak, .kind = ScaleKind::linear}, 1);
+    const HemispherePicture picture = density_picture(p, view, {.peak = peak, .kind = ScaleKind::linear}, 1);
     REQUIRE(picture.size == glm::ivec2(200, 200));
     REQUIRE(picture.rgba.size() == 200 * 200 * 4);
     CHECK(picture.rgba[3] == 0);
@@ -75,7 +75,8 @@ TEST_CASE("density picture: brightest at the lobe's axis, transparent beside the
     CHECK(at.y < 100);
     CHECK(luminance(texel(picture, int(at.x), int(at.y))) > 0.6);
     CHECK(luminance(texel(picture, 100, 150)) < 0.01);
-    const DensityPicture wide = density_picture(p, view, {.peak = peak, .kind = ScaleKind::logarithmic}, 1);
+    const HemispherePicture wide =
+        density_picture(p, view, {.peak = peak, .kind = ScaleKind::logarithmic}, 1);
     CHECK(luminance(texel(wide, int(at.x), int(at.y) - 10)) >
           luminance(texel(picture, int(at.x), int(at.y) - 10)));
     CHECK(density_picture(p, view, {.peak = peak, .kind = ScaleKind::linear}, 3).size == glm::ivec2(67, 67));
@@ -89,7 +90,7 @@ TEST_CASE("live distribution: after each edit it is what is made anew") {
     LiveDistribution live;
     Random random(3);
     const auto agrees = [&] {
-        const FacetDistribution* p = live.of(design);
+        const auto p = live.of(design);
         REQUIRE(p);
         const FacetDistribution fresh(design);
         CHECK(p->mean() == fresh.mean());

@@ -96,6 +96,22 @@ TEST_CASE("cubature fills the 200-point grid with the exact g") {
     }
 }
 
+TEST_CASE(
+    "the reference of g is that of a ring in closed form, also where k grazes and turns from it at once") {
+    for (const CurveLobe& ring :
+         {CurveLobe{{{17, 0}, {21, 1}, {25, 0}}}, CurveLobe{{{2, 0}, {2.5, 1}, {3, 0}}},
+          CurveLobe{{{60, 0}, {61, 1}, {62, 0}}}}) {
+        const FacetDistribution p(design_of(ring).distribution);
+        const AdaptiveArea area(p, 1e-9);
+        Random random(6);
+        for (const double c : {1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.3, 0.9}) {
+            CAPTURE(c);
+            const dvec3 k = polar(c, 2 * pi * uniform_random(random));
+            CHECK(area(k, {}) == doctest::Approx(p.projected_area(k)).epsilon(1e-8));
+        }
+    }
+}
+
 TEST_CASE("plain and stretched grids of twice the nodes have a quarter of the error") {
     const Design design = brushed();
     for (const Method& method : {plain_grid_method(design), stretched_method(design)}) {

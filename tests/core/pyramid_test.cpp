@@ -117,21 +117,25 @@ TEST_CASE("a painted lobe after a touch is the lobe made anew, and its changes a
         const auto old = make_lobe(before), anew = make_lobe(after);
         const auto touched = repaint(*old, after);
         REQUIRE(touched);
-        CHECK(touched->lobe->mass() == anew->mass());
+        const auto changes = painted_between(*old, *touched);
+        REQUIRE(changes);
+        CHECK(touched->mass() == anew->mass());
         for (int i = 0; i < 100; ++i) {
             const dvec3 k = random_direction(random);
-            const Area a = touched->lobe->area(k), b = anew->area(k);
+            const Area a = touched->area(k), b = anew->area(k);
             CHECK((a.g == b.g && a.gradient == b.gradient));
             double change = 0;
-            for (const Facet& facet : touched->changes)
-                change += facet.mass * std::fmax(glm::dot(k, facet.h), 0.0);
+            for (const Facet& facet : *changes) change += facet.mass * std::fmax(glm::dot(k, facet.h), 0.0);
             // But for what the changed facets spread where k sees them from the side.
             CHECK(std::fabs(old->area(k).g + change - b.g) <= 1e-5 * anew->mass());
         }
     }
-    CHECK_FALSE(repaint(*make_lobe(painted_layer(64, random)), painted_layer(128, random)));
+    const Layer other_size = painted_layer(128, random);
+    CHECK_FALSE(repaint(*make_lobe(painted_layer(64, random)), other_size));
+    CHECK_FALSE(painted_between(*make_lobe(painted_layer(64, random)), *make_lobe(other_size)));
     Layer modulated = painted_layer(64, random);
     const auto plain = make_lobe(modulated);
     modulated.modulation = Modulation{std::get<PaintedLobe>(modulated.lobe).image, 1};
     CHECK_FALSE(repaint(*plain, modulated));
+    CHECK_FALSE(painted_between(*plain, *make_lobe(modulated)));
 }

@@ -161,7 +161,7 @@ class Hour {
     // p that grew stroke by stroke against p made from the design.
     void check_live() {
         rig_.play("frames 1");
-        const FacetDistribution* live = rig_.designer().frame.p;
+        const std::shared_ptr<const FacetDistribution> live = rig_.designer().frame.p;
         std::optional<FacetDistribution> fresh;
         try {
             fresh.emplace(ui::shown(rig_.designer().layers, rig_.document().design.distribution));

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "app/designer/lit_picture.h"
 #include "tests/designer/folder_rig.h"
 #include "tests/designer/highlight_rig.h"
 
@@ -113,4 +114,43 @@ TEST_CASE("upright: the tab of the palette chooses a stamp, and a file becomes o
     r.designer().stamps.want(r.folder / "none.png");
     r.play("wait\nframes 3");
     CHECK(r.designer().stamps.talking());
+}
+
+TEST_CASE("upright: the canvas in the material's colours is the sphere that is lit from the viewer") {
+    Rig r;
+    r.layers()[0].enabled = true;
+    r.layers()[0].tilt = 25;
+    r.layers()[0].azimuth = 40;
+    r.layers()[0].tint = {0.9, 0.2, 0.1};
+    r.layers().push_back(r.layers()[0]);
+    r.layers()[1].azimuth = 200;
+    r.layers()[1].tint = {0.1, 0.2, 0.9};
+    r.document().commit();
+    r.look();
+    const Scene& scene = r.designer().scene;
+    const HemisphereView view({}, {300, 300});
+    const HemispherePicture canvas =
+        lit_picture(*r.designer().frame.tables, scene.light.irradiance * std::exp2(scene.exposure), view, 1);
+    constexpr int side = 400;
+    const RenderedImage sphere = r.designer().preview.picture(scene, {side, side}, false);
+    const double unit = pixels_per_unit(scene, {side, side});
+    int reds = 0, blues = 0;
+    for (int row = 5; row < 300; row += 10)
+        for (int column = 5; column < 300; column += 10) {
+            const dvec3 h = view.nearest_direction({column + 0.5, row + 0.5});
+            if (view.coverage({column + 0.5, row + 0.5}) < 1 || h.z < 0.2) continue;
+            const auto in_canvas = static_cast<std::size_t>(row * 300 + column) * 4;
+            const glm::ivec2 pixel(0.5 * side + unit * glm::dvec2(-h.x, h.y));
+            const auto on_sphere = static_cast<std::size_t>(pixel.y * side + pixel.x) * 3;
+            for (std::size_t c = 0; c < 3; ++c) {
+                CAPTURE(h.x);
+                CAPTURE(h.y);
+                CHECK(canvas.rgba[in_canvas + c] / 255.0 ==
+                      doctest::Approx(sphere.rgb.at(on_sphere + c)).scale(1).epsilon(0.03));
+            }
+            reds += canvas.rgba[in_canvas] > canvas.rgba[in_canvas + 2] + 60 ? 1 : 0;
+            blues += canvas.rgba[in_canvas + 2] > canvas.rgba[in_canvas] + 60 ? 1 : 0;
+        }
+    CHECK(reds > 10);
+    CHECK(blues > 10);
 }
