@@ -62,6 +62,28 @@ TEST_CASE("every object looks as it did") {
     }
 }
 
+TEST_CASE("each side of a velvet cloth of two colours shows its own") {
+    const auto context = make_offscreen_context({16, 16});
+    Scene scene;
+    scene.object = make_object("tablecloth");
+    scene.light.theta = 8;
+    const RenderedImage image =
+        render_design(load_design(NACRE_SOURCE_DIR "/presets/shot-velvet.nacre"), scene, size, true);
+    const auto mean = [&](glm::dvec2 low, glm::dvec2 high) {
+        glm::dvec3 sum(0);
+        int count = 0;
+        for (int row = int(low.y * size.y); row < int(high.y * size.y); ++row)
+            for (int column = int(low.x * size.x); column < int(high.x * size.x); ++column, ++count)
+                for (int c = 0; c < 3; ++c)
+                    sum[c] += static_cast<double>(
+                        image.rgb[static_cast<std::size_t>((row * size.x + column) * 3 + c)]);
+        return sum / static_cast<double>(count);
+    };
+    const glm::dvec3 left = mean({0.2, 0.45}, {0.3, 0.6}), right = mean({0.75, 0.45}, {0.83, 0.6});
+    CHECK(left.x > 3 * left.z);
+    CHECK(right.z > 3 * right.x);
+}
+
 TEST_CASE("the pictures show what their names promise") {
     const auto context = make_offscreen_context({16, 16});
     auto render = [](const char* name) {
