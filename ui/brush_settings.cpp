@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string>
 
+#include "ui/focus.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -50,7 +51,7 @@ void list_of_brushes(CanvasState& state) {
     for (std::size_t i = 0; i < state.own_brushes.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (entry(state.own_brushes[i], state.brush)) state.brush = state.own_brushes[i].brush;
-        if (ImGui::BeginPopupContextItem("of brush")) {
+        if (begin_second_menu("of brush")) {
             if (ImGui::Selectable("Remove")) removed = i;
             note_item("Remove brush");
             ImGui::EndPopup();

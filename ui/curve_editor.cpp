@@ -144,17 +144,29 @@ bool number(const SliderSpec& spec, float width, double& value) {
     return number_field(spec, spec.label, value);
 }
 
+// Between a point and the next one, or before the last.
+std::pair<double, double> halfway(const CurvePoints& points, std::size_t index) {
+    const std::size_t first = std::min(index, points.size() - 2);
+    const double angle = (points[first].first + points[first + 1].first) / 2;
+    return {angle, curve_value(points, angle)};
+}
+
 // The chosen point's numbers; without one, what the mouse does.
 bool point_row(CurveView& view, CurvePoints& points) {
     ImGui::AlignTextToFramePadding();
     if (!view.chosen) {
+        if (button("Points##First point", "Choose the first point, to type its numbers.")) view.chosen = 0;
+        ImGui::SameLine();
         dim_text("A click adds a point, a right click removes it.");
         return false;
     }
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, side = ImGui::GetFrameHeight();
     const std::size_t index = *view.chosen;
     ImGui::PushID(static_cast<int>(index));
-    const float width = (ImGui::GetContentRegionAvail().x - side - 2 * gap) / 2;
+    if (button("\u203a##Next point", "The next point.", true, side))
+        view.chosen = (index + 1) % points.size();
+    ImGui::SameLine(0, gap);
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * side - 3 * gap) / 2;
     auto point = points[index];
     const auto [least, most] = angle_room(points, index);
     bool changed = number({.label = "Point angle",
@@ -177,6 +189,13 @@ bool point_row(CurveView& view, CurvePoints& points) {
                        .tooltip = "p there, up to a factor: the layer's weight says how much it is in all."},
                       width, point.second);
     if (changed) set_point(points, index, point);
+    ImGui::SameLine(0, gap);
+    if (button("+##Add point", "Another point, halfway to the next one.", true, side)) {
+        if (const auto added = add_point(points, halfway(points, index))) {
+            view.chosen = added;
+            changed = true;
+        }
+    }
     ImGui::SameLine(0, gap);
     if (button("\u00d7##Remove point", "Remove this point.", points.size() > 2, side) &&
         remove_point(points, index)) {

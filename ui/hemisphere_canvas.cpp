@@ -159,7 +159,7 @@ CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribut
     ImGui::InvisibleButton("Canvas", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
-    note_item("Canvas");
+    note_part("Canvas", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     const ImVec2 below(low.x + border,
                        low.y + size.y + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y);
     const glm::dvec2 extent(size.x, size.y);

@@ -1,6 +1,7 @@
 #include "ui/item_map.h"
 
 #include "core/base/utf8.h"
+#include "ui/focus.h"
 
 namespace nacre::ui {
 namespace {
@@ -55,7 +56,10 @@ std::string as_label(std::string_view text) {
     return label;
 }
 
-void note_item(std::string_view label) { note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+void note_item(std::string_view label) {
+    if (KeyboardFocus* const focus = keyboard_focus()) focus->note(item_name(label));
+    note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
 
 void note_part(std::string_view label, ImVec2 low, ImVec2 high) {
     auto* map = listener();

@@ -41,10 +41,11 @@ std::string_view item_name(std::string_view label);
 // joiner, which has no form of its own, stands behind each #. Bytes that are not UTF-8 are replaced.
 std::string as_label(std::string_view text);
 
-// Reports the last drawn widget under its label, if somebody listens; one of as_label() under the text.
+// Reports the last drawn widget under its label, if somebody listens; one of as_label() under the text. The
+// keyboard's focus can come to it.
 void note_item(std::string_view label);
 
-// The same for a part of a widget that has a name of its own.
+// The same for a part of a widget that has a name of its own, or for what only the mouse works on.
 void note_part(std::string_view label, ImVec2 low, ImVec2 high);
 
 // Reports the tooltip of this frame.

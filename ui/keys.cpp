@@ -17,7 +17,8 @@ constexpr ImGuiKey ImGuiKey_None = -1, ImGuiKey_KeypadEnter = ImGuiKey_KeyPadEnt
 constexpr ImGuiKey ImGuiKey_F1 = ImGuiKey_None, ImGuiKey_F2 = ImGuiKey_None, ImGuiKey_F3 = ImGuiKey_None,
                    ImGuiKey_F4 = ImGuiKey_None, ImGuiKey_F5 = ImGuiKey_None, ImGuiKey_F6 = ImGuiKey_None,
                    ImGuiKey_F7 = ImGuiKey_None, ImGuiKey_F8 = ImGuiKey_None, ImGuiKey_F9 = ImGuiKey_None,
-                   ImGuiKey_F10 = ImGuiKey_None, ImGuiKey_F11 = ImGuiKey_None, ImGuiKey_F12 = ImGuiKey_None;
+                   ImGuiKey_F10 = ImGuiKey_None, ImGuiKey_F11 = ImGuiKey_None, ImGuiKey_F12 = ImGuiKey_None,
+                   ImGuiKey_Menu = ImGuiKey_None;
 #endif
 
 struct NamedKey {
@@ -33,8 +34,8 @@ constexpr NamedKey named_keys[] = {
     {"Backspace", 259, ImGuiKey_Backspace},
     {"Insert", 260, ImGuiKey_Insert},
     {"Delete", key::remove, ImGuiKey_Delete},
-    {"Right", 262, ImGuiKey_RightArrow},
-    {"Left", 263, ImGuiKey_LeftArrow},
+    {"Right", key::right, ImGuiKey_RightArrow},
+    {"Left", key::left, ImGuiKey_LeftArrow},
     {"Down", key::down, ImGuiKey_DownArrow},
     {"Up", key::up, ImGuiKey_UpArrow},
     {"PageUp", 266, ImGuiKey_PageUp},
@@ -47,14 +48,15 @@ constexpr NamedKey named_keys[] = {
     {"F3", 292, ImGuiKey_F3},
     {"F4", 293, ImGuiKey_F4},
     {"F5", 294, ImGuiKey_F5},
-    {"F6", 295, ImGuiKey_F6},
+    {"F6", key::f6, ImGuiKey_F6},
     {"F7", 296, ImGuiKey_F7},
     {"F8", 297, ImGuiKey_F8},
     {"F9", 298, ImGuiKey_F9},
-    {"F10", 299, ImGuiKey_F10},
+    {"F10", key::f10, ImGuiKey_F10},
     {"F11", 300, ImGuiKey_F11},
     {"F12", 301, ImGuiKey_F12},
     {"KeypadEnter", 335, ImGuiKey_KeypadEnter},
+    {"Menu", key::menu, ImGuiKey_Menu},
 };
 
 #if NACRE_KEYS_HAVE_NAMES
@@ -97,6 +99,11 @@ bool is_key_pressed(int number, bool repeat) {
     return known != ImGuiKey_None && ImGui::IsKeyPressed(known, repeat);
 }
 
+bool is_key_down(int number) {
+    const ImGuiKey known = meaning(number);
+    return known != ImGuiKey_None && ImGui::IsKeyDown(known);
+}
+
 void take_key(int number) { ImGui::GetKeyData(meaning(number))->DownDuration = ImGui::GetIO().DeltaTime; }
 
 void lend_tab(bool lent) {
@@ -129,6 +136,8 @@ void take_input_at_once(ImGuiIO&) {}
 bool input_waits() { return false; }
 
 bool is_key_pressed(int number, bool repeat) { return ImGui::IsKeyPressed(number, repeat); }
+
+bool is_key_down(int number) { return ImGui::IsKeyDown(number); }
 
 void take_key(int number) { ImGui::GetIO().KeysDownDuration[number] = ImGui::GetIO().DeltaTime; }
 

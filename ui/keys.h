@@ -10,7 +10,8 @@ struct ImGuiIO;
 namespace nacre::ui {
 
 namespace key {
-inline constexpr int escape = 256, enter = 257, tab = 258, remove = 261, down = 264, up = 265;
+inline constexpr int escape = 256, enter = 257, tab = 258, remove = 261, right = 262, left = 263, down = 264,
+                     up = 265, f6 = 295, f10 = 299, menu = 348;
 }
 
 // The number of a key that has a name of more than one letter: "Escape", "F12".
@@ -32,6 +33,8 @@ bool input_waits();
 
 // Whether it goes down in this frame. `repeat`: also while it is held, as typed letters repeat.
 bool is_key_pressed(int number, bool repeat);
+
+bool is_key_down(int number);
 
 // From now on it is as if it had gone down long before this frame.
 void take_key(int number);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "ui/escape.h"
+#include "ui/focus.h"
 #include "ui/item_map.h"
 #include "ui/list_row.h"
 #include "ui/theme.h"
@@ -87,7 +88,7 @@ bool name_field(LayersView& view, Layer& layer, std::size_t index, float width) 
 
 // Of the last item.
 LayerAction context_menu(std::size_t index, std::size_t count) {
-    if (!ImGui::BeginPopupContextItem("menu")) return LayerAction::none;
+    if (!begin_second_menu("menu")) return LayerAction::none;
     LayerAction wanted = LayerAction::none;
     // The lines of the list stand closer than those of a menu.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "ui/escape.h"
+#include "ui/focus.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/typed_number.h"
@@ -85,6 +86,17 @@ bool type_into(const SliderSpec& spec, ImGuiID id, const ImRect& box, bool begin
     return !ended;
 }
 
+// By hundredths of the slider, within what may be typed.
+void step(const SliderSpec& spec, double steps, double& value) {
+    if (steps == 0 || !std::isfinite(value)) return;
+    const double before = value, part = steps / 100;
+    value = spec.logarithmic ? value * std::pow(spec.high / spec.low, part)
+                             : value + part * (spec.high - spec.low);
+    if (spec.whole)
+        value = before + std::copysign(std::max(1.0, std::round(std::fabs(value - before))), steps);
+    value = std::clamp(value, std::min(spec.least, before), std::max(spec.most, before));
+}
+
 void slide(const SliderSpec& spec, ImGuiID id, const ImRect& box, double& value) {
     if (ImGui::GetActiveID() != id) return;
     if (take_escape_of_drag()) {
@@ -130,10 +142,7 @@ void draw_complaint(const ImRect& box, const std::string& name) {
 bool is_hovered(const ImRect& box, ImGuiID id) {
     return ImGui::ItemHoverable(box, id, ImGui::GetCurrentContext()->LastItemData.InFlags);
 }
-bool is_tabbed(ImGuiID id) {
-    const ImGuiContext& context = *ImGui::GetCurrentContext();
-    return context.NavActivateId == id && (context.NavActivateFlags & ImGuiActivateFlags_PreferInput) != 0;
-}
+bool is_tabbed(ImGuiID) { return false; }  // counts as activated
 #else
 bool is_hovered(const ImRect& box, ImGuiID id) { return ImGui::ItemHoverable(box, id); }
 bool is_tabbed(ImGuiID) {
@@ -156,7 +165,7 @@ NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const st
     item.hovered = is_hovered(box, id);
     bool begins = false;
     if (!ImGui::TempInputIsActive(id)) {
-        const bool tabbed = is_tabbed(id);
+        const bool tabbed = is_tabbed(id) || ImGui::GetCurrentContext()->NavActivateId == id;
         const bool clicked = item.hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
         if (tabbed || clicked) {
             ImGui::SetActiveID(id, &window);
@@ -166,6 +175,7 @@ NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const st
             if (!begins) press = {.awaits_second = true, .before = value, .time = ImGui::GetTime()};
         }
     }
+    if (KeyboardFocus* const focus = keyboard_focus()) step(spec, focus->take_steps(), value);
     item.typing = type_into(spec, id, box, begins, value);
     if (!item.typing && handling == NumberHandling::slide) slide(spec, id, box, value);
     if (complaint.id == id) draw_complaint(box, name);

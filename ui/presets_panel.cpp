@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/focus.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -58,8 +59,8 @@ PresetChoice presets_panel(std::span<const PresetTile> tiles, std::optional<std:
         if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
         ImGui::PushID(static_cast<int>(i));
         if (tile(tiles[i], kind, width, current == i)) choice.begun = i;
-        if (ImGui::IsItemHovered()) choice.hovered = i;
-        if (ImGui::BeginPopupContextItem("of preset")) {
+        if (ImGui::IsItemHovered() || has_focus()) choice.hovered = i;
+        if (begin_second_menu("of preset")) {
             if (ImGui::Selectable("Add as layer")) choice.added = i;
             note_item("Add preset as layer");
             ImGui::EndPopup();

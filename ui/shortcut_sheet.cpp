@@ -15,6 +15,16 @@
 namespace nacre::ui {
 namespace {
 
+SheetGroup keyboard_group() {
+    return {"Keyboard",
+            {{"Down, Up", "To the next widget of this part of the window, or the one before."},
+             {"F6, Shift+F6", "To the next part, or the one before."},
+             {"F10", "To the menus."},
+             {"Enter or Space", "A click; types into a number."},
+             {"Left, Right", "A number less or more; with Shift a tenth of that."},
+             {"Shift+F10 or Menu", "What a right click opens."}}};
+}
+
 SheetGroup mouse_group() {
     return {"Mouse",
             {{"Drag on the preview", "Moves the highlight: the light follows."},
@@ -77,6 +87,7 @@ std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
         group(groups, "Tools")
             .lines.push_back(
                 {std::string(1, entry.face->key), std::string(entry.face->name) + ". " + entry.face->about});
+    groups.push_back(keyboard_group());
     groups.push_back(mouse_group());
     return groups;
 }

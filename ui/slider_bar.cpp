@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/focus.h"
 #include "ui/item_map.h"
 #include "ui/number_item.h"
 #include "ui/theme.h"
@@ -99,7 +100,7 @@ bool reset_requested(const SliderSpec& spec, const std::string& name) {
         ImGui::ClearActiveID();  // else the held button goes on setting the value
         return true;
     }
-    if (!ImGui::BeginPopupContextItem("reset")) return false;
+    if (!begin_second_menu("reset")) return false;
     const bool reset = ImGui::Selectable(reset_text(spec).c_str());
     note_item(name + " reset");
     ImGui::EndPopup();

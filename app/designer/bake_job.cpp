@@ -26,9 +26,8 @@ void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeReq
     for (const Quality quality : {Quality::draft, Quality::final}) {
         const bool same = drafted && same_draft(*drafted, request);
         if (quality == Quality::draft ? same : !request.settled) continue;
-        const BakeOptions options{
-            .quality = quality, .albedo = request.albedo, .threads = threads, .p = request.p};
-        publish(baker.bake(request.design, options, stop));
+        const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
+        publish(baker.bake(request.design, options, stop, {}, request.p));
         if (quality == Quality::draft) drafted = request;
         if (stop.stop_requested()) return;
     }

@@ -20,7 +20,9 @@ struct BakeRequest {
     std::shared_ptr<const FacetDistribution> p;  // of the design, if it is made already
     bool albedo = false;                         // R is wanted even where no diffuse term reads it
     bool settled = true;                         // false while a hand still moves something: a draft will do
-    bool operator==(const BakeRequest&) const = default;
+    bool operator==(const BakeRequest& other) const {
+        return design == other.design && albedo == other.albedo && settled == other.settled;
+    }
 };
 
 class BakeJob {

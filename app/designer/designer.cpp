@@ -100,10 +100,12 @@ void draw_status(Designer& designer) {
 
 // Asks for tables of this design unless they are what was asked for last.
 void ask(Designer& designer, const Design& shown) {
+    const Frame& frame = designer.frame;
+    const bool known = shown.distribution == frame.design.distribution;
     designer.baker.want({.design = shown,
-                         .p = designer.frame.p,
+                         .p = known ? frame.p : nullptr,
                          .albedo = designer.scene.ambient || designer.plots.wants_albedo(),
-                         .settled = designer.frame.settled});
+                         .settled = frame.settled});
 }
 
 // While p is dragged or painted a draft follows; what it rests on is baked to the end. A draft that comes
@@ -146,6 +148,7 @@ void keep(Designer& designer) {
 
 void draw_all(Designer& designer) {
     Document& document = designer.document;
+    designer.focus.begin_frame();
     prepare_dialogs(designer);
     ui::close_popup_by_escape();
     end_click(designer);
@@ -183,6 +186,7 @@ void draw_all(Designer& designer) {
     end_edit(designer);
     ask(designer, shown_design(designer));
     keep(designer);
+    designer.focus.end_frame();
     ui::reserve_tab();
 }
 

@@ -37,6 +37,7 @@
 #include "app/preview/scene.h"
 #include "core/model/live_distribution.h"
 #include "ui/command_search.h"
+#include "ui/focus.h"
 #include "ui/layers_panel.h"
 
 namespace nacre {
@@ -84,6 +85,7 @@ struct Designer {
     std::optional<ui::CommandSearch> search;             // while it is open
     const char* open_tab = nullptr;                      // of the panel, that is to come to the front
     ui::LayersView layers;
+    ui::KeyboardFocus focus;
     std::vector<Preset> presets;
     std::optional<std::filesystem::path> pointed_preset;  // in this frame
     std::optional<Trial> trial;                           // of it

@@ -4,12 +4,16 @@
 
 #include "app/designer/designer.h"
 #include "ui/escape.h"
+#include "ui/focus.h"
 #include "ui/number_item.h"
 
 namespace nacre {
 namespace {
 
-bool nothing_held() { return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click(); }
+bool nothing_held() {
+    const ui::KeyboardFocus* const focus = ui::keyboard_focus();
+    return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click() && !(focus && focus->is_changing());
+}
 
 AtRest at_rest(const Designer& designer) {
     return {.scene = designer.scene,

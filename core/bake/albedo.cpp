@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/bake/tables.h"
+#include "core/bake/worst_search.h"
 
 namespace nacre {
 namespace {
@@ -97,6 +98,12 @@ void walk_span(const GreatCircleQuadrature& walk, std::size_t level, MaskingBend
 // Directions by which a lobe's level is chosen.
 constexpr int trials = 16;
 
+// p has turned away where g is less than this part of N. Of directions near the horizon, at so many azimuths,
+// those where it has are tried, at most so many.
+constexpr double turned_part = 0.02;
+constexpr int turned_azimuths = 48;
+constexpr std::size_t turned_trials = 6;
+
 // c from 0 to 1, crowded at grazing, azimuths all round. Where p has corners, every other direction is one
 // that the lobe mirrors toward the horizon, as near to it as the lobe is wide: there the facets that send
 // light up end between those corners, however narrow p is.
@@ -144,7 +151,7 @@ AlbedoQuadrature::AlbedoQuadrature(const FacetDistribution& distribution, const 
     : distribution_(distribution),
       shading_(shading),
       channels_(channels),
-      level_(distribution.lobes().size(), 0) {
+      levels_(distribution.lobes().size()) {
     make_facets(0);
     if (tolerance < std::numeric_limits<double>::infinity()) refine(tolerance);
 }
@@ -157,8 +164,40 @@ AlbedoQuadrature AlbedoQuadrature::finer(double tolerance) const {
 
 void AlbedoQuadrature::refine(double tolerance) {
     // The lobes' errors add up, as they come.
-    const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
-    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) level_[lobe] = choose_level(lobe, part);
+    const double part = tolerance / std::sqrt(static_cast<double>(levels_.size()));
+    const std::vector<dvec3> turned = turned_directions();
+    for (std::size_t lobe = 0; lobe < levels_.size(); ++lobe) {
+        std::vector<dvec3> facing;
+        for (int i = 0; i < trials; ++i) facing.push_back(trial_direction(distribution_.lobes()[lobe], i));
+        Levels& levels = levels_[lobe];
+        levels.facing = choose_level(lobe, levels.facing, facing, part);
+        levels.turned = std::max(levels.turned, levels.facing);
+        if (!turned.empty()) levels.turned = choose_level(lobe, levels.turned, turned, part);
+    }
+}
+
+bool AlbedoQuadrature::has_turned(double g1) const { return g1 < turned_part * distribution_.mean_cosine(); }
+
+std::size_t AlbedoQuadrature::level(std::size_t lobe, double g1) const {
+    const Levels& levels = levels_[lobe];
+    return has_turned(g1) ? std::max(levels.turned, levels.facing) : levels.facing;
+}
+
+// Those of the smallest and of the largest g, and some between.
+std::vector<dvec3> AlbedoQuadrature::turned_directions() const {
+    std::vector<std::pair<double, dvec3>> found;
+    for (int i = 0; i < turned_azimuths; ++i) {
+        const double phi = 2 * pi * (i + 0.5) / turned_azimuths, c = i % 2 == 0 ? lowest_cosine : 0.02;
+        const double s = std::sqrt((1 - c) * (1 + c));
+        const dvec3 k{s * std::cos(phi), s * std::sin(phi), c};
+        if (const double g = distribution_.projected_area(k); has_turned(g)) found.emplace_back(g, k);
+    }
+    std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
+    std::vector<dvec3> directions;
+    const std::size_t count = std::min(found.size(), turned_trials);
+    for (std::size_t i = 0; i < count; ++i)
+        directions.push_back(found[count == 1 ? 0 : i * (found.size() - 1) / (count - 1)].second);
+    return directions;
 }
 
 void AlbedoQuadrature::make_facets(std::size_t level) {
@@ -168,27 +207,25 @@ void AlbedoQuadrature::make_facets(std::size_t level) {
         facets_.back().push_back(columns_of(of_lobe));
 }
 
-std::size_t AlbedoQuadrature::choose_level(std::size_t lobe, double tolerance) {
-    auto evaluate = [&](std::size_t level) {
-        std::array<LayerAlbedo, trials> values;
-        for (int i = 0; i < trials; ++i) {
-            const dvec3 k = trial_direction(distribution_.lobes()[lobe], i);
-            values[static_cast<std::size_t>(i)] = over_lobe(lobe, level, k, distribution_.projected_area(k));
-        }
+std::size_t AlbedoQuadrature::choose_level(std::size_t lobe, std::size_t level,
+                                           const std::vector<dvec3>& directions, double tolerance) {
+    auto evaluate = [&](std::size_t at) {
+        std::vector<LayerAlbedo> values;
+        for (const dvec3 k : directions)
+            values.push_back(over_lobe(lobe, at, k, distribution_.projected_area(k)));
         return values;
     };
     const bool smooth = !distribution_.lobes()[lobe].lobe->spans().empty();
     const std::size_t levels = smooth ? orders : facet_counts.size();
-    std::size_t level = level_[lobe];
-    std::array<LayerAlbedo, trials> now = evaluate(level);
+    std::vector<LayerAlbedo> now = evaluate(level);
     for (; level + 1 < levels; ++level) {
         if (!smooth) make_facets(level + 1);
-        const std::array<LayerAlbedo, trials> finer = evaluate(level + 1);
+        const std::vector<LayerAlbedo> finer = evaluate(level + 1);
         double worst = 0, squares = 0;
         for (std::size_t i = 0; i < finer.size(); ++i) {
             const double d = difference(now[i], finer[i]);
             worst = worse_error(worst, d);
-            squares += d * d / trials;
+            squares += d * d / static_cast<double>(finer.size());
         }
         if (worst <= 2 * tolerance && squares <= 0.25 * tolerance * tolerance) break;
         now = finer;
@@ -197,18 +234,19 @@ std::size_t AlbedoQuadrature::choose_level(std::size_t lobe, double tolerance) {
 }
 
 bool AlbedoQuadrature::refine_at(const std::vector<dvec3>& directions, double tolerance) {
-    const double part = tolerance / std::sqrt(static_cast<double>(level_.size()));
+    const double part = tolerance / std::sqrt(static_cast<double>(levels_.size()));
     auto points = [&] {
         std::size_t sum = 0;
-        for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) {
-            const std::size_t spans = distribution_.lobes()[lobe].lobe->spans().size(), level = level_[lobe];
+        for (std::size_t lobe = 0; lobe < levels_.size(); ++lobe) {
+            const std::size_t spans = distribution_.lobes()[lobe].lobe->spans().size();
+            const std::size_t level = levels_[lobe].facing;
             sum += spans == 0 ? facet_counts[level]
                               : 2 * spans * order(level).psi.size() * order(level).chi.size();
         }
         return sum;
     };
     bool refined = false;
-    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe) {
+    for (std::size_t lobe = 0; lobe < levels_.size(); ++lobe) {
         const bool smooth = !distribution_.lobes()[lobe].lobe->spans().empty();
         const std::size_t finest = (smooth ? orders : facet_counts.size()) - 1;
         if (!smooth)
@@ -216,9 +254,10 @@ bool AlbedoQuadrature::refine_at(const std::vector<dvec3>& directions, double to
         for (const dvec3 k : directions) {
             const double g = distribution_.projected_area(k);
             const LayerAlbedo best = over_lobe(lobe, finest, k, g);
-            while (level_[lobe] < finest && points() < most_points &&
-                   difference(over_lobe(lobe, level_[lobe], k, g), best) > part) {
-                ++level_[lobe];
+            std::size_t& level = has_turned(g) ? levels_[lobe].turned : levels_[lobe].facing;
+            while (level < finest && points() < most_points &&
+                   difference(over_lobe(lobe, level, k, g), best) > part) {
+                ++level;
                 refined = true;
             }
         }
@@ -229,8 +268,8 @@ bool AlbedoQuadrature::refine_at(const std::vector<dvec3>& directions, double to
 AlbedoValues AlbedoQuadrature::operator()(dvec3 k1, double g1) const {
     const AlbedoLayout layout{channels_, shading_.kinds.tint};
     AlbedoValues sum{};
-    for (std::size_t lobe = 0; lobe < level_.size(); ++lobe)
-        layout.add(over_lobe(lobe, level_[lobe], k1, g1), shading_.layers[lobe].tint, sum);
+    for (std::size_t lobe = 0; lobe < levels_.size(); ++lobe)
+        layout.add(over_lobe(lobe, level(lobe, g1), k1, g1), shading_.layers[lobe].tint, sum);
     return sum;
 }
 

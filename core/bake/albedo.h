@@ -25,7 +25,7 @@ struct FacetAlbedo {
 // The bake's rule for R. A smooth lobe: Gauss-Legendre over both halves of psi and over chi, split where
 // the integrand is not smooth (GreatCircleQuadrature::cuts), so that the error falls exponentially with the
 // order. A lobe of facets: cells of its pyramid, whose error falls with the square of their size. Order and
-// count are chosen once, for all directions.
+// count are chosen once for all directions, and once more for those from which p has all but turned away.
 class AlbedoQuadrature {
   public:
     // g(k2) is read from the tables that `shading` holds, which holds the lobes' tints too; channels as in
@@ -49,8 +49,17 @@ class AlbedoQuadrature {
     // Of lobes of facets, level by level: each lobe's, none where it is smooth.
     using FacetLevel = std::vector<WeightedDirections>;
 
+    // Of a lobe: where p is seen, and where next to nothing of it is.
+    struct Levels {
+        std::size_t facing = 0, turned = 0;
+    };
+
     void refine(double tolerance);
-    std::size_t choose_level(std::size_t lobe, double tolerance);
+    std::size_t choose_level(std::size_t lobe, std::size_t first, const std::vector<dvec3>& trials,
+                             double tolerance);
+    bool has_turned(double g1) const;
+    std::vector<dvec3> turned_directions() const;
+    std::size_t level(std::size_t lobe, double g1) const;
     void make_facets(std::size_t level);
     LayerAlbedo over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const;
 
@@ -58,7 +67,7 @@ class AlbedoQuadrature {
     const Shading<double>& shading_;
     int channels_;
     std::vector<FacetLevel> facets_;
-    std::vector<std::size_t> level_;  // taken for each lobe
+    std::vector<Levels> levels_;  // taken for each lobe
 };
 
 }  // namespace nacre

@@ -14,7 +14,7 @@ constexpr int grazing_probes = 24;
 
 // A search looks into one of `cells_each` cells, at least `cells_min`, and climbs from `climbs` points.
 constexpr int cells_each = 80, cells_min = 4, climbs = 5;
-constexpr int thorough_cells_each = 10, thorough_climbs = 24;
+constexpr int thorough_cells_each = 10, thorough_climbs = 24, comb_parts = 4;
 
 // Directions in the layer before the horizon that it looks at.
 constexpr std::size_t layer_probes = 8;
@@ -122,9 +122,13 @@ std::vector<TablePoint> AlbedoTable::layer_points(Workers& workers) const {
     const TableCells cells = this->cells();
     if (cells.flat() || !shading_.kinds.clamp) return {};
     const FacetDistribution& distribution = *rules_.area().distribution();
-    std::vector<std::pair<double, TablePoint>> layer(static_cast<std::size_t>(2 * cells.rows()));
-    workers.for_each(2 * cells.rows(), [&](int i) {
-        TablePoint point{static_cast<double>(cells.columns()), 0.5 * i + 0.25, TablePlace::centre};
+    // Twice in each cell of either table.
+    const int area_rows = azimuth_cells(shading_.surface.tables.nodes_psi, rules_.area().grid().symmetry());
+    const int places = 2 * std::max(cells.rows(), area_rows);
+    std::vector<std::pair<double, TablePoint>> layer(static_cast<std::size_t>(places));
+    workers.for_each(places, [&](int i) {
+        TablePoint point{static_cast<double>(cells.columns()), (i + 0.5) * cells.rows() / places,
+                         TablePlace::centre};
         const dvec3 horizon = direction(point);
         dvec3 edge = horizon;
         double wrong = 0;  // of g there, as a part
@@ -145,7 +149,11 @@ std::vector<TablePoint> AlbedoTable::layer_points(Workers& workers) const {
     std::stable_sort(layer.begin(), layer.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<TablePoint> points;
-    for (std::size_t i = 0; i < std::min(layer.size(), layer_probes); ++i) points.push_back(layer[i].second);
+    for (const auto& [wrong, point] : layer) {
+        if (points.size() == layer_probes || !(wrong > 0)) break;
+        const auto near = [&](const TablePoint& other) { return std::fabs(other.row - point.row) < 0.5; };
+        if (std::ranges::none_of(points, near)) points.push_back(point);
+    }
     return points;
 }
 
@@ -160,7 +168,8 @@ void AlbedoTable::search(double enough, Search how, AxisError& error, std::vecto
                          std::max(cells.count() / (thorough ? thorough_cells_each : cells_each), cells_min),
                          thorough || cells.count() > rules_.most_probes());
     search.look_at(layer_points(workers));
-    if (thorough) search.look_at(cells.beside_horizon());
+    search.look_at(cells.near_horizon());
+    if (thorough) search.look_at(cells.beside_horizon(comb_parts));
     search.know(points_, errors_);
     if (search.worst() > enough) search.climb(thorough ? thorough_climbs : climbs);
     search.add_to(error);

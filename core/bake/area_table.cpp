@@ -189,7 +189,7 @@ void AreaTable::search(const Shading<double>& material, double enough, Search ho
     search.look_at_bends(cell_bends(nodes_, grid_->symmetry(), data_.data(), node_weights(shading)),
                          thorough ? cells.count() : std::max(cells.count() / cells_each, cells_min),
                          thorough || !all_measured());
-    if (thorough) search.look_at(cells.beside_horizon());
+    if (thorough) search.look_at(cells.beside_horizon(2));
     std::vector<TablePoint> points;
     std::vector<double> errors;
     for (std::size_t i = node_count(); i < samples_->size(); ++i) {

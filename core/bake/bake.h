@@ -16,9 +16,8 @@ struct BakeOptions {
     bool albedo = false;      // R is wanted even if no diffuse term reads it
     int threads = 0;          // 0, or more than the machine has: all of them; the result is the same for any
     double tolerance = 1e-3;  // what a final bake keeps the errors of g (relative) and R (absolute) under
-    std::optional<TableSize> size = {};               // exactly these nodes, whatever the error
-    std::optional<Symmetry> symmetry = {};            // use at most this symmetry
-    std::shared_ptr<const FacetDistribution> p = {};  // of the design, where it is made already
+    std::optional<TableSize> size = {};     // exactly these nodes, whatever the error
+    std::optional<Symmetry> symmetry = {};  // use at most this symmetry
 };
 
 // Throws UserError (with an empty file name) when the design holds no facets that face up, and BakeCancelled

@@ -184,7 +184,8 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
 }
 
 std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions& options,
-                                          std::stop_token stop, const std::function<void(double)>& progress) {
+                                          std::stop_token stop, const std::function<void(double)>& progress,
+                                          std::shared_ptr<const FacetDistribution> p) {
     const Stopwatch time;
     Workers workers(options.threads, std::move(stop));
     auto report = [&](double done) {
@@ -195,7 +196,7 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     Kept made{.design = named, .options = options};
     made.needs = needs_of(named, {options.albedo, options.symmetry});
     const Distribution facets = facets_alone(named.distribution);
-    const Followed now = workers.run([&] { return follow(facets, options.p); });
+    const Followed now = workers.run([&] { return follow(facets, std::move(p)); });
     report(0.1);
     auto tables = std::make_shared<Tables>();
     describe_material(named, *now.distribution, tables->shading);

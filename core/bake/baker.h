@@ -19,10 +19,11 @@ enum class TableOrigin { rebuilt, updated, reused };
 // or a touch of the brush; its measured error includes the effect.
 class Baker {
   public:
-    // As bake(), see bake/bake.h.
+    // As bake(), see bake/bake.h. `p`: the design's, where it is made already.
     std::shared_ptr<const Tables> bake(const Design& design, const BakeOptions& options = {},
                                        std::stop_token stop = {},
-                                       const std::function<void(double)>& progress = {});
+                                       const std::function<void(double)>& progress = {},
+                                       std::shared_ptr<const FacetDistribution> p = {});
 
     // Of the last bake; R counts as kept where the design needs none.
     TableOrigin area_origin() const { return area_origin_; }

@@ -1,5 +1,6 @@
 #include "core/bake/table_points.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -60,12 +61,22 @@ std::vector<TablePoint> TableCells::grazing(int count) const {
     return points;
 }
 
-std::vector<TablePoint> TableCells::beside_horizon() const {
+std::vector<TablePoint> TableCells::near_horizon() const {
     std::vector<TablePoint> points;
-    const int last = flat() ? 0 : 2 * rows_ - (closed() ? 1 : 0);
-    for (int half = 0; half <= last; ++half)
+    for (int row = 0; row < rows_; ++row)
+        for (int cell = 1; cell <= std::min(3, columns_); ++cell)
+            points.push_back({columns_ - cell + 0.5,
+                              flat() ? 0 : row + std::fmod((row + cell) * std::numbers::phi, 1.0),
+                              TablePlace::centre});
+    return points;
+}
+
+std::vector<TablePoint> TableCells::beside_horizon(int parts) const {
+    std::vector<TablePoint> points;
+    const int last = flat() ? 0 : parts * rows_ - (closed() ? 1 : 0);
+    for (int part = 0; part <= last; ++part)
         for (const double beside : {0.2, 0.1, 0.05, 0.02, 0.01, 0.003})
-            points.push_back({columns_ - beside, 0.5 * half, TablePlace::centre});
+            points.push_back({columns_ - beside, static_cast<double>(part) / parts, TablePlace::centre});
     return points;
 }
 

@@ -45,9 +45,12 @@ class TableCells {
     // This many within the last cell before the horizon, which may hold a layer thinner than itself.
     std::vector<TablePoint> grazing(int count) const;
 
-    // A comb within the last cell of each row, on the row and half way to the next: kinks beside the
-    // horizon may be anywhere in the cell.
-    std::vector<TablePoint> beside_horizon() const;
+    // One in each of the last three cells of every row, where R bends most.
+    std::vector<TablePoint> near_horizon() const;
+
+    // A comb within the last cell of each row, on the row and at so many parts of the way to the next: kinks
+    // beside the horizon may be anywhere in the cell.
+    std::vector<TablePoint> beside_horizon(int parts) const;
 
     // The cell that holds `point` and those that touch it.
     std::vector<int> cells_round(const TablePoint& point) const;

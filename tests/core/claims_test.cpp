@@ -186,7 +186,7 @@ TEST_CASE("the comb beside the horizon has teeth in the last cell of every row, 
     for (const Symmetry symmetry : {Symmetry::isotropic, Symmetry::half, Symmetry::none}) {
         const TableCells cells({9, symmetry == Symmetry::isotropic ? 1 : 8}, symmetry);
         std::map<double, std::vector<double>> teeth;  // of a row, cells from the horizon
-        for (const TablePoint& point : cells.beside_horizon())
+        for (const TablePoint& point : cells.beside_horizon(2))
             teeth[point.row].push_back(cells.columns() - point.column);
         CHECK(teeth.begin()->first == 0);
         CHECK(teeth.rbegin()->first == (cells.flat()     ? 0

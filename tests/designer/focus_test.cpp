@@ -1,0 +1,162 @@
+// Everything but free painting by the keyboard alone.
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+#include "core/model/lobes/gaussian.h"
+#include "tests/designer/folder_rig.h"
+
+using namespace nacre;
+
+namespace {
+
+// With the pointer where it touches nothing.
+struct Keys : test::FolderRig {
+    Keys() { play("move 1 1"); }
+
+    void press(const std::string& key, int times = 1) {
+        for (int i = 0; i < times; ++i) play("key " + key);
+    }
+
+    const std::string& at() { return designer().focus.name(); }
+
+    // Down until the focus is on the widget; false where it comes round without.
+    bool go_to(const std::string& name) {
+        std::set<std::string> seen;
+        while (at() != name) {
+            press("Down");
+            if (at() != name && !seen.insert(at()).second) return false;
+        }
+        return true;
+    }
+
+    // Of the part of the window that has the focus.
+    std::set<std::string> all_along() {
+        std::set<std::string> seen;
+        if (at().empty()) press("Down");
+        while (seen.insert(at()).second) press("Down");
+        return seen;
+    }
+
+    // To the part that has this widget, and to the widget.
+    void find(const std::string& name) {
+        press("F6");
+        for (int part = 0; part < 8 && !go_to(name); ++part) press("F6");
+        CAPTURE(name);
+        REQUIRE(at() == name);
+    }
+
+    void choose(const std::string& menu, const std::string& item) {
+        press("F10");
+        REQUIRE(go_to(menu));
+        press("Enter");
+        REQUIRE(go_to(item));
+        press("Enter");
+        play("frames 2");
+    }
+
+    // Of this frame, what has a name and can be clicked on, but for what only the mouse works on.
+    std::set<std::string> on_screen() {
+        play("frames 1");
+        std::set<std::string> names;
+        for (const std::string& name : stage.items().names()) names.insert(name);
+        return names;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("focus: each widget of each part is come to, and what has it is on the screen") {
+    Keys r;
+    r.designer().layers.expert = true;
+    for (const char* tab : {"Layers", "Material", "Light", "Compare", "Presets"}) {
+        CAPTURE(tab);
+        r.find(tab);
+        r.press("Enter");
+        r.play("frames 2");
+        std::set<std::string> reached;
+        for (int part = 0; part < 6; ++part) {
+            r.press("F6");
+            reached.merge(r.all_along());
+        }
+        for (const std::string& name : r.on_screen()) {
+            // Drawn by the mouse alone: painting, the light on the object, borders, a curve's points.
+            if (name == "Canvas" || name == "Preview" || name.starts_with("Border") ||
+                name.starts_with("Curve"))
+                continue;
+            CAPTURE(name);
+            CHECK(reached.contains(name));
+        }
+        // Far down a panel that is scrolled too.
+        for (int i = 0; i < 60; ++i) {
+            r.press("Down");
+            const auto box = r.stage.items().rectangle(r.at());
+            REQUIRE(box);
+            CAPTURE(r.at());
+            CHECK(box->y >= 0);
+            CHECK(box->w <= 801);
+        }
+    }
+}
+
+TEST_CASE("focus: a number changes by arrows, a step of undo for each press, and Enter types it") {
+    Keys r;
+    r.find("Softness");
+    const auto width = [&] { return std::get<GaussianLobe>(r.layers()[0].lobe).sigma_x; };
+    const double before = width();
+    r.press("Right", 3);
+    CHECK(width() > 1.1 * before);
+    r.press("Shift+Left");
+    r.press("Enter");
+    r.play("text \"0.25\"");
+    r.press("Enter");
+    r.play("frames 3");
+    CHECK(width() == doctest::Approx(0.25).epsilon(0.02));
+    r.press("Ctrl+Z", 5);
+    CHECK(width() == doctest::Approx(before));
+}
+
+TEST_CASE("focus: menus, lists, a second menu and a dialog without a mouse") {
+    Keys r;
+    r.choose("View", "Expert");
+    r.choose("View", "Expert");
+    r.find("New layer");
+    r.press("Enter");
+    r.play("frames 3");
+    REQUIRE(r.layers().size() == 2);
+    r.find("Layer 1");
+    r.press("Shift+F10");
+    r.play("frames 2");
+    REQUIRE(r.go_to("Menu Delete"));
+    r.press("Enter");
+    r.play("frames 3");
+    CHECK(r.layers().size() == 1);
+    CHECK(r.at().starts_with("Layer 1"));
+    // A list.
+    r.find("Scale");
+    r.press("Enter");
+    r.play("frames 2");
+    CHECK(r.at() == "Scale As seen");
+    r.press("Down");
+    r.press("Enter");
+    r.play("frames 2");
+    CHECK(r.canvas().scale == ScaleKind::linear);
+    CHECK(r.at() == "Scale");
+    // The mouse takes the ring away.
+    r.play("click \"Preview\":0.5,0.9");
+    CHECK(r.at().empty());
+    r.choose("View", "Camera 2");
+}
+
+TEST_CASE("focus: no key of it does anything to a text that is typed") {
+    Keys r;
+    r.find("Layer name");
+    r.press("Enter");
+    r.play("text \"silk\"");
+    r.press("Left");
+    r.play("text \"x\"");
+    r.press("Enter");
+    r.play("frames 2");
+    CHECK(r.layers()[0].name == "silxk");
+}
