@@ -39,6 +39,12 @@ int kills(double part) {
     return std::max(1, static_cast<int>(std::lround(part * all)));
 }
 
+// The times are other ones for each NACRE_CRASH_SEED.
+unsigned seed(unsigned test) {
+    const char* wanted = std::getenv("NACRE_CRASH_SEED");
+    return test + 10 * static_cast<unsigned>(wanted != nullptr ? std::atoi(wanted) : 0);
+}
+
 class Child {
   public:
     Child(const std::string& mode, const fs::path& folder) {
@@ -61,9 +67,9 @@ class Child {
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    // Until it works.
-    void wait_until_ready() {
-        while (told_.find("ready\n") == std::string::npos) {
+    // Until it has told this.
+    void wait_for(const std::string& text) {
+        while (told_.find(text) == std::string::npos) {
             pollfd waiting{output_, POLLIN, 0};
             REQUIRE(poll(&waiting, 1, 60'000) == 1);
             REQUIRE_MESSAGE(read_some() > 0, "the child ended by itself");
@@ -98,11 +104,11 @@ class Child {
     std::string told_;
 };
 
-// Kills a child somewhere in its first `seconds` of work.
+// Kills a child somewhere in the `seconds` after it has told this.
 std::vector<std::string> kill_one(const std::string& mode, const fs::path& folder, double seconds,
-                                  std::mt19937& random) {
+                                  std::mt19937& random, const std::string& told = "ready\n") {
     Child child(mode, folder);
-    child.wait_until_ready();
+    child.wait_for(told);
     const double after = std::uniform_real_distribution<double>(0, seconds)(random);
     std::this_thread::sleep_for(std::chrono::duration<double>(after));
     return child.kill();
@@ -168,11 +174,13 @@ std::ptrdiff_t temporary_files(const fs::path& folder) {
 }  // namespace
 
 TEST_CASE("crash: killed while painting, at most the last stroke is lost") {
-    std::mt19937 random(1);
+    std::mt19937 random(seed(1));
     int with_work = 0;
     for (int i = 0; i < kills(0.34); ++i) {
         const TemporaryFolder folder;
-        const Told told = strokes_told(kill_one("paint", folder.path(), 0.5, random), "");
+        // However slow the machine is, some have painted.
+        const std::string begun = i % 2 == 0 ? "\n2 " : "ready\n";
+        const Told told = strokes_told(kill_one("paint", folder.path(), 0.5, random, begun), "");
         const std::optional<Design> found = recovered(folder / "unsaved");
         const int stroke = found ? stroke_of(*found) : 0;
         CAPTURE(i);
@@ -185,7 +193,7 @@ TEST_CASE("crash: killed while painting, at most the last stroke is lost") {
 }
 
 TEST_CASE("crash: killed while saving, the file is the last save or the one before it") {
-    std::mt19937 random(2);
+    std::mt19937 random(seed(2));
     for (int i = 0; i < kills(0.33); ++i) {
         const TemporaryFolder folder;
         const std::vector<std::string> lines = kill_one("save", folder.path(), 0.25, random);
@@ -210,7 +218,7 @@ TEST_CASE("crash: killed while saving, the file is the last save or the one befo
 
 TEST_CASE(
     "crash: killed while exporting, files are whole, beside their manifest, and the next export tidies up") {
-    std::mt19937 random(3);
+    std::mt19937 random(seed(3));
     const Exports exports;
     std::map<std::string, std::string> expected[2];
     for (int which = 0; which < 2; ++which) {
