@@ -60,7 +60,7 @@ std::optional<float> draw_border(const char* name, const PartBox& column, float 
                      ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar(2);
     ImGui::InvisibleButton(name, ImVec2(width, column.height));
-    ui::note_item(name);
+    ui::note_part(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     ui::tooltip_for_item("Drag to give one side more room; a double click sets it back.");
     std::optional<float> moved;
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0)
@@ -82,7 +82,7 @@ float drawer_border(float left, float top, float width) {
     const float reach = std::round(ImGui::GetFontSize() * 0.35f);
     ImGui::SetCursorScreenPos({left, top});
     ImGui::InvisibleButton("drawer border", {width, reach});
-    ui::note_item("Plots border");
+    ui::note_part("Plots border", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     ui::tooltip_for_item("Drag to give the plots more room.");
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
