@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,7 +48,7 @@ void linear_fields(const char* label, glm::dvec3& linear, glm::dvec3 reset, cons
                      std::string(item_name(label)) + channels[i], linear[i], false);
     }
     ImGui::EndGroup();
-    note_item(label);
+    note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
 struct DisplayColour {
@@ -109,12 +110,16 @@ void swatch(const std::string& name, glm::dvec3& linear) {
     constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs;
     const DisplayColour before = displayed(linear);
     DisplayColour now = before;
-    ImGui::ColorEdit3(
-        "##swatch", now.values,
-        flags | ImGuiColorEditFlags_NoPicker | ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoTooltip);
+    if (ImGui::ColorButton("##swatch", {now.values[0], now.values[1], now.values[2], 1},
+                           ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip))
+        ImGui::OpenPopup("picker");
     note_item(name + " swatch");
-    tooltip_for_item("A click picks the colour as it is displayed.");
-    if (ImGui::IsItemClicked()) ImGui::OpenPopup("picker");
+    tooltip_for_item("A click picks the colour as it is displayed, a drag carries it to another swatch.");
+    if (ImGui::BeginDragDropTarget()) {
+        if (const ImGuiPayload* carried = ImGui::AcceptDragDropPayload(IMGUI_PAYLOAD_TYPE_COLOR_3F))
+            std::memcpy(now.values, carried->Data, sizeof now.values);
+        ImGui::EndDragDropTarget();
+    }
     if (ImGui::BeginPopup("picker")) {
         ImGui::SetNextItemWidth(ImGui::GetFrameHeight() * 12);
         ImGui::ColorPicker3("##picker", now.values,

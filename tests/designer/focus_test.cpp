@@ -58,9 +58,10 @@ struct Keys : test::FolderRig {
         press("F10");
         REQUIRE(go_to(menu));
         press("Enter");
+        play("frames 2");
         REQUIRE(go_to(item));
         press("Enter");
-        play("frames 2");
+        play("frames 3");
     }
 
     // Of this frame, what has a name and can be clicked on, but for what only the mouse works on.
@@ -140,17 +141,22 @@ TEST_CASE("focus: menus, lists, a second menu and a dialog without a mouse") {
     // A list.
     r.find("Scale");
     r.press("Enter");
-    r.play("frames 2");
+    r.play("frames 4");
     CHECK(r.at() == "Scale As seen");
     r.press("Down");
     r.press("Enter");
-    r.play("frames 2");
+    r.play("frames 4");
     CHECK(r.canvas().scale == ScaleKind::linear);
     CHECK(r.at() == "Scale");
     // The mouse takes the ring away.
     r.play("click \"Preview\":0.5,0.9");
     CHECK(r.at().empty());
-    r.choose("View", "Camera 2");
+    const double yaw = r.designer().scene.yaw;
+    r.choose("View", "Camera");
+    REQUIRE(r.go_to("Camera 2"));
+    r.press("Enter");
+    r.play("frames 2");
+    CHECK(r.designer().scene.yaw > yaw);
 }
 
 TEST_CASE("focus: no key of it does anything to a text that is typed") {
