@@ -33,6 +33,14 @@ bool is_within(const ImGuiWindow* window, const ImGuiWindow* outer) {
     return false;
 }
 
+// That the last item is in: not the list or menu that it has just opened, in which nothing is drawn yet.
+ImGuiWindow* window_of_item() {
+    ImGuiWindow* const window = ImGui::GetCurrentWindow();
+    const ImVec2 at = window->DC.CursorPos, start = window->DC.CursorStartPos;
+    const bool opened = (window->Flags & ImGuiWindowFlags_Popup) != 0 && at.x == start.x && at.y == start.y;
+    return opened ? window->ParentWindow : window;
+}
+
 // A click on the item in the next frame.
 void activate(ImGuiID id) {
     ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -193,7 +201,7 @@ void KeyboardFocus::end_frame() {
 void KeyboardFocus::note(std::string_view name) {
     const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
     if (item.ID == 0 || (item.InFlags & ImGuiItemFlags_Disabled) != 0) return;
-    ImGuiWindow* const window = ImGui::GetCurrentWindow();
+    ImGuiWindow* const window = window_of_item();
     if (std::ranges::find(stops_, item.ID, &Stop::id) != stops_.end()) return;
     stops_.push_back({item.ID, window, item.Rect.Min, item.Rect.Max, std::string(name)});
     if (item.ID != id_ || !reveals_) return;
