@@ -185,6 +185,7 @@ void KeyboardFocus::end_frame() {
     const auto here = std::ranges::find(stops_, id_, &Stop::id);
     if (id_ != 0 && here != stops_.end()) {
         window_ = here->window;
+        name_ = here->name;
         middle_ = {(here->low.x + here->high.x) / 2, (here->low.y + here->high.y) / 2};
         const float off = scaled(2);
         ImDrawList& list = *ImGui::GetForegroundDrawList();

@@ -15,9 +15,9 @@ namespace {
 const std::set<std::string> for_the_mouse{"Canvas", "Preview", "Panel border", "Canvas border"};
 
 // Words, what is disabled now, and what holds fields that have names of their own.
-const std::set<std::string> not_for_clicks{"Quality",    "Validity",     "Baked tables",
-                                           "Left out",   "Delete layer", "Layer up",
-                                           "Layer down", "Balance",      "Straighten"};
+const std::set<std::string> not_for_clicks{"Quality",      "Validity", "Baked tables", "Left out",
+                                           "Delete layer", "Layer up", "Layer down",   "Balance",
+                                           "Straighten",   "f0",       "Albedo",       "Layer tint"};
 
 // With the pointer where it touches nothing.
 struct Keys : test::FolderRig {
