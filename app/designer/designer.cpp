@@ -197,6 +197,7 @@ Designer::Designer(const DesignerOptions& given)
       comparison(options.bake_threads, options.wake),
       watch(options.wake),
       stamps(options.wake),
+      exporter(options.folder_opener),
       presets(list_presets(presets_folder() / "highlights")) {
     for (Preset& start : presets) start.is_start = true;
     for (Preset& material : list_presets(presets_folder())) presets.push_back(std::move(material));

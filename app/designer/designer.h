@@ -45,6 +45,7 @@ struct DesignerOptions {
     int bake_threads = 0;                                // 0: as many as the machine has
     UserFolders folders = {};                            // without them nothing of the user's is read or kept
     std::optional<DialogProgram> dialogs = {};           // for files; without one Nacre's own browser asks
+    std::filesystem::path folder_opener = {};            // see find_folder_opener()
     std::uintmax_t autosave_bytes = autosave_bytes_max;  // at most, of work that is kept
     // A first run begins with the presets, two hints and what an artist calls things; else with all there is.
     bool welcomes = false;

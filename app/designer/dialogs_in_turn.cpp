@@ -19,6 +19,7 @@ void tell(Designer& designer, const std::optional<std::string>& message) {
 
 void draw_dialogs(Designer& designer) {
     Document& document = designer.document;
+    if (!talking(designer)) designer.exporter.draw_report();
     const bool talked = designer.files.talking();
     designer.files.draw(document);
     if (auto restored = designer.files.take_restored()) {
