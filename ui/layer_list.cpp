@@ -96,6 +96,10 @@ LayerAction context_menu(std::size_t index, std::size_t count) {
         if (ImGui::MenuItem(label, nullptr, false, possible(action, index, count))) wanted = action;
         note_item(std::string("Menu ") + label);
     };
+    entry("Cut", LayerAction::cut);
+    entry("Copy", LayerAction::copy);
+    entry("Paste", LayerAction::paste);
+    ImGui::Separator();
     entry("Rename", LayerAction::rename);
     entry("Duplicate", LayerAction::duplicate);
     entry("Delete", LayerAction::remove);
@@ -199,9 +203,13 @@ bool possible(LayerAction action, std::size_t layer, std::size_t count) {
     switch (action) {
         case LayerAction::none:
         case LayerAction::rename:
+        case LayerAction::copy:
             return layer < count;
+        case LayerAction::paste:
+            return count < std::size_t{limits::layers_max};
         case LayerAction::duplicate:
             return layer < count && count < std::size_t{limits::layers_max};
+        case LayerAction::cut:
         case LayerAction::remove:
             return layer < count && count > 1;
         case LayerAction::up:
@@ -235,6 +243,15 @@ bool act(LayerAction action, LayersView& view, Layers& layers) {
         case LayerAction::down:
             move_layer(view, layers, view.chosen + 1);
             return true;
+        case LayerAction::cut:
+            view.asked = ClipboardAction::cut;
+            return false;
+        case LayerAction::copy:
+            view.asked = ClipboardAction::copy;
+            return false;
+        case LayerAction::paste:
+            view.asked = ClipboardAction::paste;
+            return false;
     }
     return false;
 }
