@@ -41,7 +41,8 @@ std::string_view item_name(std::string_view label);
 // joiner, which has no form of its own, stands behind each #. Bytes that are not UTF-8 are replaced.
 std::string as_label(std::string_view text);
 
-// Reports the last drawn widget under its label, if somebody listens; one of as_label() under the text.
+// Reports the last drawn widget under its label, if somebody listens; one of as_label() under the text. While
+// the hand works it, the edit has this name: see edit_name.h.
 void note_item(std::string_view label);
 
 // The same for a part of a widget that has a name of its own.

@@ -97,6 +97,11 @@ bool is_key_pressed(int number, bool repeat) {
     return known != ImGuiKey_None && ImGui::IsKeyPressed(known, repeat);
 }
 
+bool is_key_down(int number) {
+    const ImGuiKey known = meaning(number);
+    return known != ImGuiKey_None && ImGui::IsKeyDown(known);
+}
+
 void take_key(int number) { ImGui::GetKeyData(meaning(number))->DownDuration = ImGui::GetIO().DeltaTime; }
 
 void lend_tab(bool lent) {
@@ -129,6 +134,8 @@ void take_input_at_once(ImGuiIO&) {}
 bool input_waits() { return false; }
 
 bool is_key_pressed(int number, bool repeat) { return ImGui::IsKeyPressed(number, repeat); }
+
+bool is_key_down(int number) { return ImGui::GetIO().KeysDown[number]; }
 
 void take_key(int number) { ImGui::GetIO().KeysDownDuration[number] = ImGui::GetIO().DeltaTime; }
 

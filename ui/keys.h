@@ -33,6 +33,8 @@ bool input_waits();
 // Whether it goes down in this frame. `repeat`: also while it is held, as typed letters repeat.
 bool is_key_pressed(int number, bool repeat);
 
+bool is_key_down(int number);
+
 // From now on it is as if it had gone down long before this frame.
 void take_key(int number);
 

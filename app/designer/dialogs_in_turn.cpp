@@ -23,7 +23,7 @@ void draw_dialogs(Designer& designer) {
     const bool talked = designer.files.talking();
     designer.files.draw(document);
     if (auto restored = designer.files.take_restored()) {
-        designer.autosave.take_over(std::move(*restored));
+        designer.autosave.take_over(std::move(*restored), document.history.document());
         notice_focus(designer);
     }
     // The next question does not take the key that answered this one.
