@@ -1,5 +1,9 @@
 #include "ui/canvas_tools.h"
 
+#include <imgui.h>
+
+#include "ui/edit_name.h"
+
 namespace nacre::ui {
 namespace {
 
@@ -43,6 +47,11 @@ std::span<const ToolEntry> canvas_tools() { return tools; }
 
 std::string tool_tooltip(const ToolFace& face) {
     return std::string(face.name) + " (" + face.key + "). " + face.about + " " + face.more;
+}
+
+void name_edit_by_tool(CanvasTool tool) {
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseReleased(ImGuiMouseButton_Left))
+        name_edit(tools[static_cast<std::size_t>(tool)].face->name);
 }
 
 std::optional<PaintTool> paints_with(CanvasTool tool) { return tools[static_cast<std::size_t>(tool)].paints; }

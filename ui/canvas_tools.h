@@ -18,6 +18,9 @@ struct ToolEntry {
 std::span<const ToolEntry> canvas_tools();
 std::string tool_tooltip(const ToolFace& face);
 
+// What the hand does with the tool, while a button is down or goes up, is an edit of its name.
+void name_edit_by_tool(CanvasTool tool);
+
 // What a tool paints with, if it does.
 std::optional<PaintTool> paints_with(CanvasTool tool);
 

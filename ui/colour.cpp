@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "core/image/srgb.h"
+#include "ui/edit_name.h"
 #include "ui/item_map.h"
 #include "ui/keys.h"
 #include "ui/slider_bar.h"
@@ -143,6 +144,7 @@ bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char*
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     swatch(std::string(item_name(label)), linear);
     ImGui::PopID();
+    if (linear != before) name_edit(visible_text(label));
     return linear != before;
 }
 

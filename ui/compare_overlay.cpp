@@ -73,6 +73,7 @@ void side_labels(const std::string& left, const std::string& right, ImVec2 corne
     const float most = 0.5f * size.x - 2 * margin - ImGui::GetFontSize() * 0.8f;
     if (most < 2 * ImGui::GetFontSize()) return;
     plate(fitted(left, most), {corner.x + margin, corner.y + margin});
+    if (right.empty()) return;
     const std::string text = fitted(right, most);
     plate(text,
           {corner.x + size.x - margin - text_width(text) - ImGui::GetFontSize() * 0.8f, corner.y + margin});

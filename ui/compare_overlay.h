@@ -13,7 +13,8 @@ namespace nacre::ui {
 void divider_handle(double& divider, ImVec2 corner, ImVec2 size);
 void draw_divider(double divider, ImVec2 corner, ImVec2 size);
 
-// In the upper corners; each is cut with an ellipsis at the middle of the area, so that they never meet.
+// In the upper corners, but for an empty one; each is cut with an ellipsis at the middle of the area, so that
+// they never meet.
 void side_labels(const std::string& left, const std::string& right, ImVec2 corner, ImVec2 size);
 
 // A bar of colours at the lower left with a number at either end.

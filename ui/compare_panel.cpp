@@ -7,6 +7,8 @@
 #include <cfloat>
 #include <utility>
 
+#include "ui/edit_name.h"
+#include "ui/focus.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -41,37 +43,77 @@ void view_row(CompareView& view) {
     }
 }
 
-// A line of the list: letter, name, restore, remove.
-std::optional<SnapshotAction> snapshot_row(const SnapshotRow& row) {
+// Of the last item.
+std::optional<SnapshotAction> snapshot_menu(const std::string& prefix) {
+    if (!begin_second_menu("menu")) return std::nullopt;
     std::optional<SnapshotAction> action;
+    const auto entry = [&](const char* label, const char* name, const char* text, SnapshotAction what) {
+        if (ImGui::MenuItem(label)) action = what;
+        note_item(prefix + name);
+        tooltip_for_item(text);
+    };
+    entry("Compare at the left", " left", "The left side of the comparison shows it; so does the key A.",
+          SnapshotAction::to_left);
+    entry("Compare at the right", " right", "The right side of the comparison shows it.",
+          SnapshotAction::to_right);
+    ImGui::Separator();
+    entry("Delete", " remove", "Forgets this snapshot.", SnapshotAction::remove);
+    ImGui::EndPopup();
+    return action;
+}
+
+// The small picture, which is a button.
+std::optional<SnapshotAction> snapshot_picture(const SnapshotRow& row, const std::string& prefix,
+                                               float side) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + side, low.y + side);
+    const bool clicked = ImGui::InvisibleButton("picture", ImVec2(side, side));
+    note_item(prefix + " restore");
+    tooltip_for_item(
+        "A click makes this the design that is edited; one step of undo brings the other back. The right "
+        "button: compare with it, or delete it.");
+    const bool hovered = ImGui::IsItemHovered();
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (row.picture != nullptr)
+        list.AddImageRounded(row.picture, low, high, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, rounding);
+    else
+        list.AddRectFilled(low, high, ImGui::GetColorU32(palette::canvas), rounding);
+    if (hovered) list.AddRect(low, high, ImGui::GetColorU32(palette::accent), rounding, 0, scaled(2));
+    if (!clicked) return snapshot_menu(prefix);
+    name_edit(prefix);
+    return SnapshotAction::restore;
+}
+
+// Picture, letter and name, and where the comparison has it.
+std::optional<SnapshotAction> snapshot_row(const SnapshotRow& row, const CompareState& state) {
     const std::string prefix = "Snapshot " + row.letter;
     ImGui::PushID(row.letter.c_str());
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto action =
+        snapshot_picture(row, prefix, 2 * ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y);
+    ImGui::SameLine(0, 2 * gap);
+    ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(row.letter.c_str());
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, padding = 2 * ImGui::GetStyle().FramePadding.x;
-    const float buttons = ImGui::CalcTextSize("Restore").x + ImGui::CalcTextSize("\u00d7").x + 2 * padding;
-    ImGui::SameLine(ImGui::GetFontSize() * 1.5f);
-    ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - buttons - 2 * gap, 1.0f));
+    ImGui::SameLine(0, 2 * gap);
+    ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputTextWithHint("##name", "Untitled", row.name);
     note_item(prefix + " name");
     tooltip_for_item("The name that the preview shows for this snapshot.");
-    ImGui::SameLine(0, gap);
-    if (ImGui::Button("Restore")) action = SnapshotAction::restore;
-    note_item(prefix + " restore");
-    tooltip_for_item("Makes this the design that is edited. One step of undo brings the other back.");
-    ImGui::SameLine(0, gap);
-    if (ImGui::Button("\u00d7")) action = SnapshotAction::remove;
-    note_item(prefix + " remove");
-    tooltip_for_item("Forgets this snapshot.");
+    dim_text(state.left == row.id    ? "the left side, and what A shows"
+             : state.right == row.id ? "the right side"
+                                     : "");
+    ImGui::EndGroup();
     ImGui::PopID();
     return action;
 }
 
-std::optional<SnapshotRequest> snapshot_list(std::span<const SnapshotRow> snapshots) {
+std::optional<SnapshotRequest> snapshot_list(std::span<const SnapshotRow> snapshots,
+                                             const CompareState& state) {
     std::optional<SnapshotRequest> request;
     heading("Snapshots");
     for (std::size_t i = 0; i < snapshots.size(); ++i)
-        if (const auto action = snapshot_row(snapshots[i])) request = {*action, i};
+        if (const auto action = snapshot_row(snapshots[i], state)) request = {*action, i};
     if (button(
             "Take snapshot",
             "Keeps the design as it is now, to be seen beside what becomes of it. Snapshots last until the "
@@ -127,7 +169,7 @@ void difference_rows(CompareState& state) {
 std::optional<SnapshotRequest> compare_panel(CompareState& state, std::span<const SnapshotRow> snapshots,
                                              std::span<const SideChoice> choices,
                                              const std::string& numbers) {
-    const std::optional<SnapshotRequest> request = snapshot_list(snapshots);
+    const std::optional<SnapshotRequest> request = snapshot_list(snapshots, state);
     ImGui::Spacing();
     heading("Side by side");
     view_row(state.view);

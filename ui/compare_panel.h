@@ -1,6 +1,8 @@
 // Snapshots, and what is seen beside what.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -27,11 +29,13 @@ struct SideChoice {
 };
 
 struct SnapshotRow {
-    std::string letter;  // "A"
-    std::string* name;   // edited in place
+    int id = 0;                     // as a choice of a side
+    std::string letter;             // "A"
+    std::string* name = nullptr;    // edited in place
+    ImTextureID picture = nullptr;  // square; null while there is none
 };
 
-enum class SnapshotAction { take, restore, remove };
+enum class SnapshotAction { take, restore, remove, to_left, to_right };
 
 struct SnapshotRequest {
     SnapshotAction action;

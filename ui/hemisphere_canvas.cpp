@@ -13,6 +13,7 @@
 #include "ui/canvas_paint.h"
 #include "ui/canvas_path.h"
 #include "ui/canvas_toolbar.h"
+#include "ui/canvas_tools.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -173,6 +174,7 @@ CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribut
     const bool taken = state.tool == CanvasTool::handles
                            ? handle_layers(state, frame, distribution, chosen)
                            : use_tool(state, surface_of(frame), sight.p, distribution, chosen);
+    if (taken) name_edit_by_tool(state.tool);
     if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
                           ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
         state.camera = state.camera.whole();

@@ -1,6 +1,7 @@
 #include "ui/item_map.h"
 
 #include "core/base/utf8.h"
+#include "ui/edit_name.h"
 #include "ui/focus.h"
 
 namespace nacre::ui {
@@ -9,6 +10,14 @@ namespace {
 constexpr std::string_view word_joiner = "\u2060";
 
 ItemMap* listener() { return static_cast<ItemMap*>(ImGui::GetIO().UserData); }
+
+// The name of one of as_label(), as the user gave it.
+std::string plain_name(std::string_view label) {
+    std::string name(item_name(label));
+    for (std::size_t at = 0; (at = name.find(word_joiner, at)) != std::string::npos;)
+        name.erase(at, word_joiner.size());
+    return name;
+}
 
 }  // namespace
 
@@ -58,16 +67,14 @@ std::string as_label(std::string_view text) {
 
 void note_item(std::string_view label) {
     if (KeyboardFocus* const focus = keyboard_focus()) focus->note(item_name(label));
+    name_edit_by_item(plain_name(label));
     note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
 void note_part(std::string_view label, ImVec2 low, ImVec2 high) {
     auto* map = listener();
     if (map == nullptr) return;
-    std::string name(item_name(label));
-    for (std::size_t at = 0; (at = name.find(word_joiner, at)) != std::string::npos;)
-        name.erase(at, word_joiner.size());
-    map->note(name, low, high);
+    map->note(plain_name(label), low, high);
 }
 
 void note_tooltip(std::string_view text) {

@@ -42,7 +42,7 @@ std::string_view item_name(std::string_view label);
 std::string as_label(std::string_view text);
 
 // Reports the last drawn widget under its label, if somebody listens; one of as_label() under the text. The
-// keyboard's focus can come to it.
+// keyboard's focus can come to it, and while it is worked, the edit has this name: see edit_name.h.
 void note_item(std::string_view label);
 
 // The same for a part of a widget that has a name of its own, or for what only the mouse works on.

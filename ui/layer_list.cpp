@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <string>
 
+#include "ui/edit_name.h"
 #include "ui/escape.h"
 #include "ui/focus.h"
 #include "ui/item_map.h"
@@ -93,16 +94,23 @@ LayerAction context_menu(std::size_t index, std::size_t count) {
     // The lines of the list stand closer than those of a menu.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         ImVec2(ImGui::GetStyle().ItemSpacing.x, ImGui::GetFontSize() * 0.5f));
-    const auto entry = [&](const char* label, LayerAction action) {
-        if (ImGui::MenuItem(label, nullptr, false, possible(action, index, count))) wanted = action;
+    const auto entry = [&](const char* label, LayerAction action, const char* step) {
+        if (ImGui::MenuItem(label, nullptr, false, possible(action, index, count))) {
+            wanted = action;
+            name_edit(step);
+        }
         note_item(std::string("Menu ") + label);
     };
-    entry("Rename", LayerAction::rename);
-    entry("Duplicate", LayerAction::duplicate);
-    entry("Delete", LayerAction::remove);
+    entry("Cut", LayerAction::cut, "Cut layer");
+    entry("Copy", LayerAction::copy, "Copy layer");
+    entry("Paste", LayerAction::paste, "Paste layer");
     ImGui::Separator();
-    entry("Move up", LayerAction::up);
-    entry("Move down", LayerAction::down);
+    entry("Rename", LayerAction::rename, "Rename layer");
+    entry("Duplicate", LayerAction::duplicate, "Duplicate layer");
+    entry("Delete", LayerAction::remove, "Delete layer");
+    ImGui::Separator();
+    entry("Move up", LayerAction::up, "Layer up");
+    entry("Move down", LayerAction::down, "Layer down");
     ImGui::PopStyleVar();
     ImGui::EndPopup();
     return wanted;
@@ -191,6 +199,7 @@ bool carry(LayersView& view, Layers& layers, ImVec2 corner) {
     const std::size_t to = slot > view.chosen ? slot - 1 : slot;
     if (to == view.chosen) return false;
     move_layer(view, layers, to);
+    name_edit("Move layer");
     return true;
 }
 
@@ -200,9 +209,13 @@ bool possible(LayerAction action, std::size_t layer, std::size_t count) {
     switch (action) {
         case LayerAction::none:
         case LayerAction::rename:
+        case LayerAction::copy:
             return layer < count;
+        case LayerAction::paste:
+            return count < std::size_t{limits::layers_max};
         case LayerAction::duplicate:
             return layer < count && count < std::size_t{limits::layers_max};
+        case LayerAction::cut:
         case LayerAction::remove:
             return layer < count && count > 1;
         case LayerAction::up:
@@ -236,6 +249,15 @@ bool act(LayerAction action, LayersView& view, Layers& layers) {
         case LayerAction::down:
             move_layer(view, layers, view.chosen + 1);
             return true;
+        case LayerAction::cut:
+            view.asked = ClipboardAction::cut;
+            return false;
+        case LayerAction::copy:
+            view.asked = ClipboardAction::copy;
+            return false;
+        case LayerAction::paste:
+            view.asked = ClipboardAction::paste;
+            return false;
     }
     return false;
 }

@@ -11,6 +11,9 @@
 
 namespace nacre::ui {
 
+// What the list's menu asks for: the clipboard is not known here.
+enum class ClipboardAction { cut, copy, paste };
+
 // What the panel remembers between frames; no part of the document.
 struct LayersView {
     std::size_t chosen = 0;
@@ -20,10 +23,11 @@ struct LayersView {
         std::size_t layer = 0;
         bool begun = false;  // the field has the keyboard
     };
-    std::optional<Rename> rename;  // in the list
-    bool carried = false;          // the chosen layer, by the pointer to another place of the list
-    bool linked = false;           // the widths along x and y keep their ratio
-    bool expert = true;            // all numbers show, and not only what an artist calls them
+    std::optional<Rename> rename;          // in the list
+    std::optional<ClipboardAction> asked;  // of the chosen layer, to be done by the caller
+    bool carried = false;                  // the chosen layer, by the pointer to another place of the list
+    bool linked = false;                   // the widths along x and y keep their ratio
+    bool expert = true;                    // all numbers show, and not only what an artist calls them
     LayerThumbnails thumbnails;
     CurveView curve;
 };

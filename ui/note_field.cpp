@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/edit_name.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -54,6 +55,7 @@ bool note_field(std::string& text) {
     note_item("Note text");
     tooltip_for_item(
         "Where this design comes from and what it is for; it is kept in the file. A click edits it.");
+    if (changed) name_edit("Note");
     return changed;
 }
 

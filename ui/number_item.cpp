@@ -175,7 +175,9 @@ NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const st
             if (!begins) press = {.awaits_second = true, .before = value, .time = ImGui::GetTime()};
         }
     }
+    const double before = value;
     if (KeyboardFocus* const focus = keyboard_focus()) step(spec, focus->take_steps(), value);
+    if (value != before) ImGui::MarkItemEdited(id);
     item.typing = type_into(spec, id, box, begins, value);
     if (!item.typing && handling == NumberHandling::slide) slide(spec, id, box, value);
     if (complaint.id == id) draw_complaint(box, name);

@@ -94,12 +94,12 @@ std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
 
 bool shortcut_sheet(CommandInfos commands, const char* opened_by) {
     if (!begin_dialog("Shortcuts", 72)) return true;
-    // The columns: what concerns the document, the canvas, the mouse.
+    // The columns: what concerns the document, the window and the canvas, the mouse.
     if (ImGui::BeginTable("groups", 3)) {
         ImGui::TableNextRow();
         const std::vector<SheetGroup> groups = shortcut_groups(commands);
         for (const SheetGroup& shown : groups) {
-            if (shown.title == "File" || shown.title == "Canvas" || shown.title == "Mouse")
+            if (shown.title == "File" || shown.title == "View" || shown.title == "Mouse")
                 ImGui::TableNextColumn();
             draw_group(shown);
         }

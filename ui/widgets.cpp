@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/utf8.h"
+#include "ui/edit_name.h"
 #include "ui/item_map.h"
 #include "ui/slider_bar.h"
 #include "ui/theme.h"
@@ -38,6 +39,12 @@ std::string broken_at_blanks(const std::string& text, float width) {
 }
 
 std::string hidden(const char* label) { return "##" + std::string(item_name(label)); }
+
+// What changed a row names the edit as the row is called.
+bool named(const char* label, bool changed) {
+    if (changed) name_edit(visible_text(label));
+    return changed;
+}
 
 }  // namespace
 
@@ -78,7 +85,7 @@ bool slider(const SliderSpec& spec, double& value) {
     const double before = value;
     if (row_label(spec.label, spec.tooltip)) value = spec.reset;
     slider_field(spec, std::string(item_name(spec.label)), value);
-    return value != before;
+    return named(spec.label, value != before);
 }
 
 bool slider(SliderSpec spec, glm::dvec3& rgb, glm::dvec3 reset) {
@@ -93,7 +100,7 @@ bool slider(SliderSpec spec, glm::dvec3& rgb, glm::dvec3 reset) {
         spec.reset = reset[i];
         slider_field(spec, std::string(item_name(spec.label)) + " " + channels[i], rgb[i]);
     }
-    return rgb != before;
+    return named(spec.label, rgb != before);
 }
 
 bool slider_or_infinity(const SliderSpec& spec, double& value) {
@@ -120,7 +127,7 @@ bool slider_or_infinity(const SliderSpec& spec, double& value) {
     ImGui::PopID();
     note_item(std::string(item_name(spec.label)) + " infinite");
     tooltip_for_item("Infinite: the lobe becomes a cylinder along this axis, as threads or grooves make it.");
-    return value != before;
+    return named(spec.label, value != before);
 }
 
 bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip_text,
@@ -147,7 +154,7 @@ bool checkbox(const char* label, bool& value, const char* tooltip_text) {
     const bool changed = ImGui::Checkbox(hidden(label).c_str(), &value);
     note_item(label);
     tooltip_for_item(tooltip_text);
-    return changed;
+    return named(label, changed);
 }
 
 bool text_field(const char* label, std::string& text, const char* hint, const char* tooltip_text) {

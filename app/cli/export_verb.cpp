@@ -1,11 +1,14 @@
 #include <fmt/core.h>
 
+#include <chrono>
+
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
 #include "app/cli/output.h"
 #include "app/cli/output_option.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
+#include "core/base/error.h"
 #include "core/base/system/output_guard.h"
 #include "core/formats/export_format.h"
 
@@ -19,6 +22,7 @@ struct ExportOptions {
     std::string format;
     std::string output;
     bool list = false;
+    bool verbose = false;
     ExportSettings settings = {};
 };
 
@@ -33,6 +37,17 @@ std::vector<std::string> format_names() {
     std::vector<std::string> names;
     for (const ExportFormat* format : export_formats()) names.emplace_back(format->name);
     return names;
+}
+
+// For whoever reads along: a script that takes standard error sees it only by its own wish.
+void tell_next(const ExportFormat& format, const ExportOptions& options, const std::vector<fs::path>& files) {
+    if (!options.verbose && !error_is_terminal()) return;
+    std::string text;
+    for (const fs::path& file : files) text += fmt::format("wrote {}\n", one_line(file.string()));
+    int number = 0;
+    for (const std::string& step : next_steps(format, options.settings.prefix, options.output))
+        text += fmt::format("{}. {}\n", ++number, step);
+    write_message(text, std::chrono::seconds(1));
 }
 
 int export_design(const ExportOptions& options, Interrupt& interrupt) {
@@ -53,7 +68,9 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
     if (to_stream) {
         write_output(write.bytes());
     } else {
-        interrupt.write_files([&] { write(options.output); });
+        std::vector<fs::path> written;
+        interrupt.write_files([&] { written = write(options.output); });
+        tell_next(*format, options, written);
     }
     return 0;
 }
@@ -67,6 +84,9 @@ void declare(Command& command, Action& action) {
                                        "the file or folder to write; - is standard output, for a file");
     output.check(not_empty);
     add_tolerance_option(command, options->settings.bake);
+    command.flag("--verbose", options->verbose,
+                 "tell on standard error what was written and what to do next with it, also where that is no "
+                 "terminal");
     const auto prefix =
         command
             .option("--prefix", options->settings.prefix,

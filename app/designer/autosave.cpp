@@ -135,28 +135,47 @@ UnsavedWork parse_autosave(const std::string& text, const fs::path& file) {
 Autosave::Autosave(fs::path folder, std::uintmax_t bytes_max)
     : folder_(std::move(folder)),
       bytes_max_(bytes_max),
-      job_([this](const Wanted& wanted, const std::stop_token&, const auto& publish) {
+      job_([this](const std::vector<Wanted>& wanted, const std::stop_token&, const auto& publish) {
           write(wanted);
           publish(true);
       }) {}
 
-void Autosave::write(const Wanted& wanted) {
-    if (!wanted) {
-        if (own_) own_->remove_file();
-        return;
+// What is new is on the disk before anything is removed, and what cannot be written hinders no other work.
+void Autosave::write(const std::vector<Wanted>& wanted) {
+    std::exception_ptr error;
+    for (const Wanted& one : wanted) {
+        try {
+            Place& place = place_of(one.document);
+            if (place.number == one.number) continue;
+            write_autosave(one.work, place.folder.file(), bytes_max_);
+            place.number = one.number;
+        } catch (const std::exception&) {
+            if (!error) error = std::current_exception();
+        }
     }
-    make_folder();
-    write_autosave(*wanted, own_->file(), bytes_max_);
+    clear_others(wanted);
+    if (error) std::rethrow_exception(error);
 }
 
-// Another one where somebody has changed what the present one is.
-void Autosave::make_folder() {
-    if (!own_ || !own_->intact()) own_ = make_locked_directory(folder_);
+// Its folder, one that has become free, or a new one; another one where somebody has changed what it is.
+Autosave::Place& Autosave::place_of(int document) {
+    auto found = std::ranges::find(places_, std::optional(document), &Place::document);
+    if (found == places_.end()) found = std::ranges::find(places_, std::optional<int>(), &Place::document);
+    if (found == places_.end())
+        found = places_.insert(found, Place{make_locked_directory(folder_), document});
+    if (!found->folder.intact()) *found = Place{make_locked_directory(folder_), document};
+    found->document = document;
+    return *found;
 }
 
-void Autosave::submit(Wanted wanted) {
-    wanted_ = std::move(wanted);
-    asked_ = job_.submit(wanted_);
+void Autosave::clear_others(const std::vector<Wanted>& wanted) {
+    for (Place& place : places_) {
+        if (!place.document) continue;
+        if (std::ranges::find(wanted, *place.document, &Wanted::document) != wanted.end()) continue;
+        place.folder.remove_file();
+        place.document.reset();
+        place.number = 0;
+    }
 }
 
 void Autosave::follow(const Document& document) {
@@ -165,28 +184,42 @@ void Autosave::follow(const Document& document) {
         kept_ = done->revision;
         problem_ = done->error ? problem_line(done->error) : std::string();
     }
-    Document::Elsewhere work{&document.history.current(), document.file, document.held};
-    if (document.history.saved()) {
-        auto elsewhere = document.unsaved_elsewhere();
-        if (!elsewhere) {
-            if (wanted_) submit({});
-            return;
-        }
-        work = *std::move(elsewhere);
+    std::vector<Document::Unsaved> unsaved = document.all_unsaved();
+    bool changed = unsaved.size() != wanted_.size();
+    std::vector<const Wanted*> before;  // of each work, where it is as it was
+    for (Document::Unsaved& work : unsaved) {
+        work.held = needed(work.held, *work.design, work.file);
+        const auto same = std::ranges::find_if(wanted_, [&](const Wanted& wanted) {
+            return wanted.document == work.document && wanted.work.design == *work.design &&
+                   wanted.work.file == work.file && wanted.work.held == work.held;
+        });
+        before.push_back(same != wanted_.end() ? &*same : nullptr);
+        changed |= before.back() == nullptr;
     }
-    HeldFiles held = needed(work.held, *work.design, work.file);
-    if (!wanted_ || wanted_->design != *work.design || wanted_->file != work.file || wanted_->held != held)
-        submit(UnsavedWork{*work.design, work.file, std::move(held)});
+    if (!changed) return;
+    std::vector<Wanted> wanted;
+    for (std::size_t i = 0; i < unsaved.size(); ++i) {
+        Document::Unsaved& work = unsaved[i];
+        wanted.push_back(before[i] != nullptr
+                             ? *before[i]
+                             : Wanted{work.document,
+                                      ++numbers_,
+                                      {*work.design, std::move(work.file), std::move(work.held)}});
+    }
+    wanted_ = std::move(wanted);
+    asked_ = job_.submit(wanted_);
 }
 
-void Autosave::take_over(RecoveredWork found) {
+void Autosave::take_over(RecoveredWork found, int document) {
     if (folder_.empty()) return;
     job_.wait();
     try {
-        make_folder();
-        own_->take(found.folder);
+        Place& place = place_of(document);
+        place.folder.take(found.folder);
         found.folder.erase();
-        wanted_ = std::move(found.work);
+        place.number = ++numbers_;
+        std::erase_if(wanted_, [&](const Wanted& wanted) { return wanted.document == document; });
+        wanted_.push_back({document, place.number, std::move(found.work)});
     } catch (const std::exception&) {
         problem_ = problem_line();  // it is written again, and what was left stays
     }
@@ -194,8 +227,8 @@ void Autosave::take_over(RecoveredWork found) {
 
 void Autosave::finish() {
     job_.wait();
-    if (own_) own_->erase();
-    own_.reset();
+    for (Place& place : places_) place.folder.erase();
+    places_.clear();
 }
 
 }  // namespace nacre

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/designer/document.h"
 #include "core/base/latest_job.h"
@@ -25,6 +26,7 @@ struct UnsavedWork {
 struct RecoveredWork {
     UnsavedWork work;
     LockedDirectory folder;
+    std::size_t others = 0;  // works that were left behind beside it
 };
 
 // More than sixteen layers of painted and modulated facets take.
@@ -50,17 +52,19 @@ UnsavedWork parse_autosave(const std::string& text, const std::filesystem::path&
 // Writes on a thread of its own, one file at a time; what is newest when a write ends is written next.
 class Autosave {
   public:
-    // Each process has a folder of its own below this one, made with its first write. Empty: nothing is kept.
+    // Each work has a folder of its own below this one, made when it is first written. Empty: nothing is
+    // kept.
     explicit Autosave(std::filesystem::path folder, std::uintmax_t bytes_max = autosave_bytes_max);
 
-    // Once a frame: begins to write the document's newest step, or what another document took the place of
-    // and is not saved, or to remove the file once there is nothing unsaved. Never waits.
+    // Once a frame: begins to write what is not saved of the document and of those whose place it took, and
+    // to remove the files of what is saved or gone. Never waits.
     void follow(const Document& document);
 
-    // Work of another process becomes this one's in a single step. Waits for the writer.
-    void take_over(RecoveredWork found);
+    // Work of another process becomes this one's, as this document of the history, in a single step. Waits
+    // for the writer.
+    void take_over(RecoveredWork found, int document);
 
-    // The clean end: the file goes, whatever is unsaved. Waits for the writer.
+    // The clean end: the files go, whatever is unsaved. Waits for the writer.
     void finish();
 
     // Why the newest write failed, in one line; empty when it did not.
@@ -73,18 +77,29 @@ class Autosave {
     std::uint64_t kept() const { return kept_; }
 
   private:
-    using Wanted = std::optional<UnsavedWork>;  // none: no file
-    void write(const Wanted& wanted);
-    void make_folder();
-    void submit(Wanted wanted);
+    struct Wanted {
+        int document = 0;          // as the history numbers it
+        std::uint64_t number = 0;  // of no other state of any work, from 1
+        UnsavedWork work;
+    };
+    // A folder, and what stands in its file.
+    struct Place {
+        LockedDirectory folder;
+        std::optional<int> document;  // none: no file
+        std::uint64_t number = 0;     // of the state that is written
+    };
+    void write(const std::vector<Wanted>& wanted);
+    Place& place_of(int document);
+    void clear_others(const std::vector<Wanted>& wanted);
 
     std::filesystem::path folder_;
     std::uintmax_t bytes_max_;
-    std::optional<LockedDirectory> own_;  // only the worker uses it while it is busy
-    Wanted wanted_;
+    std::vector<Place> places_;  // only the worker uses them while it is busy
+    std::vector<Wanted> wanted_;
+    std::uint64_t numbers_ = 0;  // given
     std::string problem_;
     std::uint64_t asked_ = 0, kept_ = 0;
-    LatestJob<Wanted, bool> job_;
+    LatestJob<std::vector<Wanted>, bool> job_;
 };
 
 }  // namespace nacre

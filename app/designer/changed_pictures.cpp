@@ -96,6 +96,7 @@ std::optional<std::string> ChangedPictures::draw(Document& document, Environment
     if (!reload && !hold) return {};
     try {
         document.commit();
+        document.doing = hold ? "Hold pictures" : "Reload pictures";
         document.design = hold ? with_pictures_held(document.design, pictures)
                                : with_pictures_reread(document.design, pictures, document.file.string());
         document.commit();

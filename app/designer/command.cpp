@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "ui/edit_name.h"
+
 namespace nacre {
 
 std::span<const Command* const> commands() {
@@ -36,6 +38,8 @@ std::vector<ui::CommandState> command_states(const Designer& designer) {
 
 void perform(Designer& designer, const Command& command, std::size_t which) {
     if (talking(designer) || (command.enabled != nullptr && !command.enabled(designer))) return;
+    designer.document.commit();  // what was being edited is a step of its own
+    if (command.info.label != nullptr) ui::name_edit(command.info.label);
     command.perform(designer, which);
 }
 

@@ -20,7 +20,7 @@ void ComparedPictures::show(int side, const std::optional<ComparedSurface>& surf
 }
 
 std::vector<Preview*> ComparedPictures::shown(Preview& now, const CompareLook& look) const {
-    if (look.view == ui::CompareView::off) return {&now};
+    if (!look.compares()) return {&now};
     std::vector<Preview*> previews;
     if (!own_[0] || !own_[1]) previews.push_back(&now);
     for (int i = 0; i < 2; ++i)
@@ -30,7 +30,7 @@ std::vector<Preview*> ComparedPictures::shown(Preview& now, const CompareLook& l
 
 void ComparedPictures::share_scale(Preview& now, const Scene& scene, const CompareLook& look) {
     std::optional<FactorScale> scale;
-    if (look.view != ui::CompareView::off && is_factor(scene.term))
+    if (look.compares() && is_factor(scene.term))
         scale = common_scale(side(0, now).scale(scene), side(1, now).scale(scene));
     now.use_scale(scale);
     for (Preview* preview : shown(now, look)) preview->use_scale(scale);
@@ -61,7 +61,7 @@ void ComparedPictures::refine(Preview& now, double seconds, const CompareLook& l
 }
 
 SampleProgress ComparedPictures::progress(const Preview& now, const CompareLook& look) const {
-    if (look.view == ui::CompareView::off) return now.progress();
+    if (!look.compares()) return now.progress();
     const SampleProgress left = side(0, now).progress(), right = side(1, now).progress();
     return left.samples < right.samples ? left : right;
 }
@@ -84,8 +84,9 @@ void ComparedPictures::draw_difference(Preview& now, const Scene& scene, glm::iv
 void ComparedPictures::paint(const Preview& now, const CompareLook& look, ImVec2 corner, ImVec2 size) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
-    if (look.view == ui::CompareView::off)
-        return list.AddImage(handle(now.texture()), corner, end, ImVec2(0, 1), ImVec2(1, 0));
+    if (look.alone || look.view == ui::CompareView::off)
+        return list.AddImage(handle((look.alone ? side(*look.alone, now) : now).texture()), corner, end,
+                             ImVec2(0, 1), ImVec2(1, 0));
     if (look.view == ui::CompareView::difference)
         return list.AddImage(handle(difference_.name()), corner, end, ImVec2(0, 1), ImVec2(1, 0));
     const auto part = static_cast<float>(look.divider);

@@ -20,9 +20,12 @@ namespace nacre {
 // What the preview shows beside the present design, and how.
 struct CompareLook {
     ui::CompareView view = ui::CompareView::off;
+    std::optional<int> alone = {};  // a side that is shown whole, whatever the view
     double divider = 0.5;
     DifferenceLook difference = {};
     std::array<std::string, 2> labels = {};
+
+    bool compares() const { return alone || view != ui::CompareView::off; }
 };
 
 // Needs a current OpenGL 3.3 context from its beginning to its end. Side 0 is the left one.

@@ -84,6 +84,20 @@ std::string Comparison::label_of_side(int index) const {
     return shown_[index] == side(index) ? label : label + " (baking\u2026)";
 }
 
+std::optional<int> Comparison::other_side() const {
+    for (int i = 0; i < 2; ++i)
+        if (snapshot_of(side(i))) return i;
+    for (int i = 0; i < 2; ++i)
+        if (state.view != ui::CompareView::off && side(i) != present_id) return i;
+    return {};
+}
+
+bool Comparison::show_other(const Design& present) {
+    if (!other_side()) return false;
+    other_ = present;
+    return true;
+}
+
 bool Comparison::shows_model() const {
     return state.view != ui::CompareView::off && (is_model(state.left) || is_model(state.right));
 }
@@ -113,7 +127,12 @@ std::vector<ui::SideChoice> Comparison::choices(const Scene& scene) const {
 std::optional<Design> Comparison::draw_panel(const PresentDesign& present, const Scene& scene,
                                              const PreviewPane& pane) {
     std::vector<ui::SnapshotRow> rows;
-    for (Snapshot& snapshot : snapshots_) rows.push_back({snapshot.letter, &snapshot.name});
+    std::vector<Thumbnails::Wanted> wanted;
+    for (const Snapshot& snapshot : snapshots_)
+        wanted.push_back({snapshot.letter, [design = snapshot.design] { return design; }});
+    thumbnails_.follow(wanted);
+    for (Snapshot& snapshot : snapshots_)
+        rows.push_back({snapshot.id, snapshot.letter, &snapshot.name, thumbnails_.texture(snapshot.letter)});
     std::string numbers = problem();
     if (numbers.empty() && state.view == ui::CompareView::difference && pane.difference()) {
         const DifferenceNumbers& apart = *pane.difference();
@@ -125,9 +144,27 @@ std::optional<Design> Comparison::draw_panel(const PresentDesign& present, const
     const auto request = ui::compare_panel(state, rows, choices(scene), numbers);
     if (!request) return {};
     if (request->action == ui::SnapshotAction::restore) return snapshots_[request->snapshot].design;
-    if (request->action == ui::SnapshotAction::remove) remove(request->snapshot);
-    if (request->action == ui::SnapshotAction::take) take(present);
+    answer(*request, present);
     return {};
+}
+
+void Comparison::answer(const ui::SnapshotRequest& request, const PresentDesign& present) {
+    switch (request.action) {
+        case ui::SnapshotAction::restore:
+            break;
+        case ui::SnapshotAction::take:
+            take(present);
+            break;
+        case ui::SnapshotAction::remove:
+            remove(request.snapshot);
+            break;
+        case ui::SnapshotAction::to_left:
+            state.left = snapshots_[request.snapshot].id;
+            break;
+        case ui::SnapshotAction::to_right:
+            state.right = snapshots_[request.snapshot].id;
+            break;
+    }
 }
 
 void Comparison::follow_side(int index, const PresentDesign& present, const Scene& scene, PreviewPane& pane) {
@@ -163,10 +200,13 @@ void Comparison::follow(const PresentDesign& present, const Scene& scene, Previe
     CompareLook& look = pane.look;
     look.view = state.view;
     look.difference = {state.amplification, state.is_signed};
-    if (state.view == ui::CompareView::off) return;
+    const auto other = other_side();
+    if (other_ && (!other || *other_ != present.design)) other_.reset();
+    look.alone = other_ ? other : std::nullopt;
+    if (!look.compares()) return;
     for (int i = 0; i < 2; ++i) follow_side(i, present, scene, pane);
     look.labels = {label_of_side(0), label_of_side(1)};
-    if (state.view != ui::CompareView::difference) return;
+    if (state.view != ui::CompareView::difference || look.alone) return;
     look.labels[0] =
         fmt::format("{} \u2212 {}, \u00d7 {:.3g}", label_of_side(1), label_of_side(0), state.amplification);
     look.labels[1] = pane.difference()
@@ -176,7 +216,7 @@ void Comparison::follow(const PresentDesign& present, const Scene& scene, Previe
 }
 
 std::string Comparison::problem() const {
-    if (state.view == ui::CompareView::off) return {};
+    if (state.view == ui::CompareView::off && !other_) return {};
     for (int i = 0; i < 2; ++i)
         if (asked_[i] == side(i) && !jobs_[i].problem().empty()) return jobs_[i].problem();
     return {};
@@ -184,6 +224,7 @@ std::string Comparison::problem() const {
 
 void Comparison::wait() const {
     for (const SideJob& job : jobs_) job.wait();
+    thumbnails_.wait();
 }
 
 }  // namespace nacre

@@ -9,7 +9,9 @@
 
 #include "app/designer/command.h"
 #include "app/designer/dialogs_in_turn.h"
+#include "app/designer/other_side.h"
 #include "app/designer/panel.h"
+#include "app/designer/past.h"
 #include "app/designer/perform.h"
 #include "app/designer/status.h"
 #include "app/designer/take_back.h"
@@ -19,6 +21,7 @@
 #include "ui/abandon_frame.h"
 #include "ui/brush_mark.h"
 #include "ui/canvas_tools.h"
+#include "ui/edit_name.h"
 #include "ui/escape.h"
 #include "ui/status_line.h"
 #include "ui/term_bar.h"
@@ -52,6 +55,7 @@ void work_on_preview(Designer& designer) {
     const bool taken = sphere && canvas.tool != ui::CanvasTool::handles &&
                        ui::use_tool(canvas, *sphere, designer.frame.p.get(),
                                     designer.document.design.distribution, designer.layers.chosen);
+    if (taken) ui::name_edit_by_tool(canvas.tool);
     designer.preview.work(scene, taken);
 }
 
@@ -146,6 +150,14 @@ void keep(Designer& designer) {
     designer.settings.keep();
 }
 
+// By the widget, tool or command that changed the design in this frame.
+void name_edit(Designer& designer) {
+    auto name = ui::take_edit_name();
+    if (designer.document.design == designer.named) return;
+    designer.named = designer.document.design;
+    if (name) designer.document.doing = *std::move(name);
+}
+
 void draw_all(Designer& designer) {
     Document& document = designer.document;
     designer.focus.begin_frame();
@@ -158,14 +170,16 @@ void draw_all(Designer& designer) {
         perform(designer, *order);
 
     Layout& layout = designer.settings.values.layout;
-    const Places places =
-        place_parts(layout, {.panel = designer.panels, .drawer = designer.plots.state.open});
+    const Places places = place_parts(
+        layout, {.panel = designer.panels, .drawer = designer.plots.state.open, .history = designer.history});
     take_input(places,
                {.panel = [&] { draw_panel(designer); },
                 .canvas = [&] { designer.canvas.work(designer.frame, document.design, designer.layers); },
-                .preview = [&] { work_on_preview(designer); }});
+                .preview = [&] { work_on_preview(designer); },
+                .history = [&] { draw_history(designer.document); }});
     follow_hints(designer);
     follow_trial(designer);
+    follow_held_key(designer);
     make_frame(designer);
     const Frame& frame = designer.frame;
     draw_parts(layout, places,
@@ -183,6 +197,7 @@ void draw_all(Designer& designer) {
     follow_files(designer);
     draw_dialogs(designer);
 
+    name_edit(designer);
     end_edit(designer);
     ask(designer, shown_design(designer));
     keep(designer);
@@ -202,6 +217,7 @@ Designer::Designer(const DesignerOptions& given)
       comparison(options.bake_threads, options.wake),
       watch(options.wake),
       stamps(options.wake),
+      exporter(options.folder_opener),
       presets(list_presets(presets_folder() / "highlights")) {
     for (Preset& start : presets) start.is_start = true;
     for (Preset& material : list_presets(presets_folder())) presets.push_back(std::move(material));
@@ -228,7 +244,8 @@ bool in_motion(const Designer& designer) {
     return !designer.frame.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
            designer.stamps.in_motion() || designer.plots.saving.in_motion() ||
            designer.preview.accumulating() || designer.files.has_answer() || designer.exporter.in_motion() ||
-           designer.pictures_of_preview.in_motion() || designer.thumbnails.busy();
+           designer.pictures_of_preview.in_motion() || designer.thumbnails.busy() ||
+           designer.comparison.in_motion() || designer.other_since.has_value();
 }
 
 void finish(Designer& designer) {

@@ -46,6 +46,7 @@ struct DesignerOptions {
     int bake_threads = 0;                                // 0: as many as the machine has
     UserFolders folders = {};                            // without them nothing of the user's is read or kept
     std::optional<DialogProgram> dialogs = {};           // for files; without one Nacre's own browser asks
+    std::filesystem::path folder_opener = {};            // see find_folder_opener()
     std::uintmax_t autosave_bytes = autosave_bytes_max;  // at most, of work that is kept
     // A first run begins with the presets, two hints and what an artist calls things; else with all there is.
     bool welcomes = false;
@@ -66,6 +67,7 @@ struct Designer {
     BakeJob baker;
     PreviewPane preview;
     Comparison comparison;
+    std::optional<double> other_since;  // when the key went down that shows its other side, while it is held
     CanvasPane canvas;
     FileFlow files;
     FileWatch watch;
@@ -79,6 +81,7 @@ struct Designer {
     ScreenshotSaver pictures_of_preview;
     Thumbnails thumbnails;
     bool panels = true;                                  // shown
+    bool history = false;                                // below them, shown with them
     bool full_screen = false;                            // wanted; the host makes it so
     bool sheet = false;                                  // of shortcuts, shown
     bool hints_to_drag = false, hints_to_paint = false;  // until that is done
@@ -93,7 +96,8 @@ struct Designer {
     Frame frame;                                          // that is on the screen
     double changed_at = 0;  // when p last changed, seconds on Dear ImGui's clock
     std::optional<ui::CanvasTool> tool_before_erase;
-    AtRest rest;  // what Escape brings back while something is dragged
+    Design named;  // as the last frame left it, whose changes have a name
+    AtRest rest;   // what Escape brings back while something is dragged
 };
 
 // Draws one frame and acts on its input. Never waits for the worker.

@@ -19,10 +19,11 @@ void tell(Designer& designer, const std::optional<std::string>& message) {
 
 void draw_dialogs(Designer& designer) {
     Document& document = designer.document;
+    if (!talking(designer)) designer.exporter.draw_report();
     const bool talked = designer.files.talking();
     designer.files.draw(document);
     if (auto restored = designer.files.take_restored()) {
-        designer.autosave.take_over(std::move(*restored));
+        designer.autosave.take_over(std::move(*restored), document.history.document());
         notice_focus(designer);
     }
     // The next question does not take the key that answered this one.

@@ -16,13 +16,18 @@ Design starter_design() {
     return design;
 }
 
-Document::Document(Design start, std::filesystem::path from)
-    : history(start), design(std::move(start)), file(std::move(from)) {
+Document::Document(Design start, std::filesystem::path from, const std::string& what)
+    : history(start, !what.empty()  ? what
+                     : from.empty() ? "New design"
+                                    : "Open " + from.filename().string()),
+      design(std::move(start)),
+      file(std::move(from)) {
     history.mark_saved();
 }
 
 void Document::reload(const Document& read) {
     commit();
+    doing = "Reload";
     design = read.design;
     held = read.held;
     commit();
@@ -37,12 +42,12 @@ void Document::keep_mine(const std::optional<FileContent>& now) {
     mark_unsaved();
 }
 
-void Document::commit() { history.commit(design); }
+void Document::commit() { history.commit(design, doing); }
 
-void Document::begin(const Document& other) {
+void Document::begin(const Document& other, const std::string& what) {
     commit();
     origins_[history.document()] = {file, preset, held};
-    history.begin(other.design);
+    history.begin(other.design, what);
     design = other.design;
     file = other.file;
     preset = other.preset;
@@ -74,18 +79,33 @@ void Document::redo() {
     follow_history(before);
 }
 
-std::optional<Document::Elsewhere> Document::unsaved_elsewhere() const {
-    const History::State* state = history.unsaved_elsewhere();
-    if (state == nullptr) return {};
-    const Origin& origin = origins_.at(state->document);
-    return Elsewhere{&state->design, origin.file, origin.held};
+void Document::go_to(std::uint64_t number) {
+    commit();
+    const int before = history.document();
+    history.go_to(number);
+    follow_history(before);
+}
+
+std::vector<Document::Unsaved> Document::unsaved_elsewhere() const {
+    std::vector<Unsaved> all;
+    for (const History::State* state : history.unsaved_elsewhere()) {
+        const Origin& origin = origins_.at(state->document);
+        all.push_back({state->document, &state->design, origin.file, origin.held});
+    }
+    return all;
+}
+
+std::vector<Document::Unsaved> Document::all_unsaved() const {
+    std::vector<Unsaved> all = unsaved_elsewhere();
+    if (!history.saved()) all.insert(all.begin(), {history.document(), &history.current(), file, held});
+    return all;
 }
 
 void Document::go_elsewhere() {
     commit();
-    const History::State* state = history.unsaved_elsewhere();
-    if (state == nullptr) return;
-    const int wanted = state->document;
+    const auto others = history.unsaved_elsewhere();
+    if (others.empty()) return;
+    const int wanted = others.front()->document;
     while (history.document() != wanted && history.can_redo()) redo();
     while (history.document() != wanted && history.can_undo()) undo();
 }

@@ -1,10 +1,11 @@
 // The design that is being edited, its history and its file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/system/file_content.h"
 #include "core/design/history.h"
@@ -17,20 +18,23 @@ Design starter_design();
 struct Document {
     History history;
     Design design;                 // as on the screen; differs from history.current() only during an edit
+    std::string doing = "Edit";    // what the present edit is called, for the history
     std::filesystem::path file;    // empty before the first save
     std::filesystem::path preset;  // that it began as, or empty
     // What the file and the pictures that the design refers to held when they were last read, written, or
     // left as they are by the user's own word.
     HeldFiles held;
 
-    explicit Document(Design start = starter_design(), std::filesystem::path from = {});
+    // `what`: how the history calls it; without one, by the file.
+    explicit Document(Design start = starter_design(), std::filesystem::path from = {},
+                      const std::string& what = {});
 
     // From now on it differs from what is on the disk, whatever it is.
     void mark_unsaved() { history.mark_unsaved(); }
 
     // Another document takes the place of this one, in one step of undo that brings this one back with its
-    // file.
-    void begin(const Document& other);
+    // file. `what`: how the history calls it.
+    void begin(const Document& other, const std::string& what);
 
     // The design that stands in the file now takes the place of this one, in one step of undo.
     void reload(const Document& read);
@@ -43,16 +47,20 @@ struct Document {
     void commit();
     void undo();
     void redo();
+    // Undoes or redoes until the history's state of this number is the current one.
+    void go_to(std::uint64_t number);
     bool unsaved() const { return !history.saved() || design != history.current(); }
 
-    // What was edited before another document took its place, and is not saved.
-    struct Elsewhere {
+    // Work that is not saved: of this document as its newest step has it, or of one whose place another took.
+    struct Unsaved {
+        int document;  // as the history numbers it
         const Design* design;
         std::filesystem::path file;
         HeldFiles held;
     };
-    std::optional<Elsewhere> unsaved_elsewhere() const;
-    void go_elsewhere();  // undoes or redoes until that is the document
+    std::vector<Unsaved> unsaved_elsewhere() const;  // the newest first
+    std::vector<Unsaved> all_unsaved() const;        // this one first
+    void go_elsewhere();  // undoes or redoes until the newest of the others is the document
 
     // What files made of it are named by: the file's name without its end, else the design's in small
     // letters.

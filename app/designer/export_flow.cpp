@@ -22,12 +22,16 @@ struct PictureFormat {
     const char* about;
     const char* extension;
     bool linear;
+    NextSteps next;
 };
 
 // Beside the formats of core, what only a window can write.
 constexpr PictureFormat pictures[] = {
-    {"Picture, PNG", "the preview as it looks: filmic curve, sRGB, 8 bits", ".png", false},
-    {"Picture, EXR", "the preview's linear radiance times the exposure, float", ".exr", true},
+    {"Picture, PNG", "the preview as it looks: filmic curve, sRGB, 8 bits", ".png", false,
+     "{file} looks as the preview does wherever pictures are shown: it is sRGB already."},
+    {"Picture, EXR", "the preview's linear radiance times the exposure, float", ".exr", true,
+     "Open {file} as linear light, Rec. 709, in a program for compositing.\n"
+     "Apply its own view transform: the preview's filmic curve is not in it."},
 };
 
 bool is_picture(std::size_t chosen) { return chosen >= export_formats().size(); }
@@ -50,7 +54,7 @@ std::string replaced(const fs::path& output) {
 
 }  // namespace
 
-ExportFlow::ExportFlow() {
+ExportFlow::ExportFlow(fs::path folder_opener) : opener_program_(std::move(folder_opener)) {
     for (const ExportFormat* format : export_formats())
         dialog_.formats.push_back({std::string(format->title), std::string(), false, format->has_names});
     for (const PictureFormat& format : pictures)
@@ -132,28 +136,30 @@ void ExportFlow::begin(const Document& document, PreviewPane& preview, const Sce
 
 void ExportFlow::start_work(const Document& document, PreviewPane& preview, const Scene& scene) {
     settings_->export_folder = output_.parent_path();
+    written_ = std::make_shared<std::vector<fs::path>>();
     const std::string done = "Exported " + output_.filename().string();
     if (is_picture(dialog_.chosen)) {
         const glm::ivec2 size(std::lround(dialog_.width), std::lround(dialog_.height));
         const bool linear = picture_format(dialog_.chosen).linear;
-        task_.start(
-            [image = preview.picture(scene, size, linear), output = output_, done](const auto&, const auto&) {
-                write_image(output, image.size, image.rgb);
-                return done;
-            });
+        task_.start([image = preview.picture(scene, size, linear), output = output_, done,
+                     written = written_](const auto&, const auto&) {
+            write_image(output, image.size, image.rgb);
+            *written = {output};
+            return done;
+        });
         return;
     }
     const ExportFormat* format = export_formats()[dialog_.chosen];
     ExportSettings settings{.prefix = dialog_.prefix};
     settings.bake.tolerance = dialog_.tolerance;
-    task_.start(
-        [=, design = document.design, output = output_](const std::stop_token& stop, const auto& progress) {
-            set_niceness(worker_niceness);
-            const ExportWriter write = format->prepare(design, settings, stop, progress);
-            if (stop.stop_requested()) return std::string();
-            write(output);
-            return done;
-        });
+    task_.start([=, design = document.design, output = output_, written = written_](
+                    const std::stop_token& stop, const auto& progress) {
+        set_niceness(worker_niceness);
+        const ExportWriter write = format->prepare(design, settings, stop, progress);
+        if (stop.stop_requested()) return std::string();
+        *written = write(output);
+        return done;
+    });
 }
 
 std::optional<std::string> ExportFlow::draw_work() {
@@ -161,10 +167,29 @@ std::optional<std::string> ExportFlow::draw_work() {
         problem_ = ended->problem;
         step_ = problem_.empty() ? Step::none : Step::problem;
         if (step_ == Step::problem) return {};
-        return ended->message.empty() ? "The export was stopped" : ended->message;
+        if (ended->message.empty()) return "The export was stopped";
+        const fs::path folder = extension_of(dialog_.chosen).empty() ? output_ : output_.parent_path();
+        report_ = ui::ExportReport{.title = ended->message, .folder = folder.string(), .steps = steps()};
+        for (const fs::path& file : *written_) report_->files.push_back(file.filename().string());
+        opener_.forget_problem();
+        return ended->message;
     }
     if (ui::progress_dialog("Exporting", output_.filename().string(), task_.progress())) task_.cancel();
     return {};
+}
+
+std::vector<std::string> ExportFlow::steps() const {
+    return is_picture(dialog_.chosen)
+               ? next_steps(picture_format(dialog_.chosen).next, {}, output_)
+               : next_steps(*export_formats()[dialog_.chosen], dialog_.prefix, output_);
+}
+
+void ExportFlow::draw_report() {
+    if (!report_) return;
+    report_->problem = opener_.problem();
+    const ui::ReportAnswer answer = ui::export_report(*report_);
+    if (answer == ui::ReportAnswer::open_folder) opener_.open(report_->folder, opener_program_);
+    if (answer == ui::ReportAnswer::closed) report_.reset();
 }
 
 std::optional<std::string> ExportFlow::draw(const Document& document, PreviewPane& preview,

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,17 +13,23 @@
 #include "app/designer/background_task.h"
 #include "app/designer/document.h"
 #include "app/designer/file_chooser.h"
+#include "app/designer/folder_opener.h"
 #include "app/designer/preview_pane.h"
 #include "app/designer/settings.h"
 #include "ui/export_dialog.h"
+#include "ui/export_report.h"
 
 namespace nacre {
 
 class ExportFlow {
   public:
-    ExportFlow();
+    // `folder_opener`: as find_folder_opener() gives it.
+    explicit ExportFlow(std::filesystem::path folder_opener);
 
-    void start() { step_ = Step::options; }
+    void start() {
+        step_ = Step::options;
+        report_.reset();
+    }
     // `inputs`: what is never written, see output_guard.h.
     void remember(Settings* settings, const std::optional<DialogProgram>& dialogs,
                   std::function<std::vector<std::filesystem::path>()> inputs) {
@@ -33,6 +40,10 @@ class ExportFlow {
 
     // Draws what is open and acts on the answers. Returns what is to be told.
     std::optional<std::string> draw(const Document& document, PreviewPane& preview, const Scene& scene);
+
+    // What was written last and what to do next with it, over the rest of the window, until it is closed.
+    void draw_report();
+    const std::optional<ui::ExportReport>& report() const { return report_; }
 
     bool talking() const { return step_ != Step::none; }
     bool in_motion() const { return task_.busy() || chooser_.has_answer(); }
@@ -50,6 +61,7 @@ class ExportFlow {
     void begin(const Document& document, PreviewPane& preview, const Scene& scene);
     void start_work(const Document& document, PreviewPane& preview, const Scene& scene);
     std::optional<std::string> draw_work();
+    std::vector<std::string> steps() const;
 
     Settings* settings_ = nullptr;
     std::optional<DialogProgram> dialogs_;
@@ -59,6 +71,10 @@ class ExportFlow {
     FileChooser chooser_;
     std::filesystem::path output_;
     BackgroundTask task_;
+    std::shared_ptr<std::vector<std::filesystem::path>> written_;  // by the task
+    std::optional<ui::ExportReport> report_;
+    std::filesystem::path opener_program_;
+    FolderOpener opener_;
     std::string problem_;
 };
 

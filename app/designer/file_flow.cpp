@@ -47,7 +47,7 @@ void FileFlow::take_preset(Document& document, const fs::path& file) {
         Document opened = read_document(file);
         opened.held.erase(file);
         opened.preset = std::exchange(opened.file, fs::path());
-        document.begin(opened);
+        document.begin(opened, "Preset " + name_of(opened.design));
         message_ = with_notes("Began as " + name_of(document.design), document);
     } catch (const std::exception&) {
         problem_ = problem_line();
@@ -145,11 +145,13 @@ void FileFlow::become_restored(Document& document) {
     if (auto saved = saved_already(work)) {
         document = *std::move(saved);
     } else {
-        document = Document(work.design, work.file);
+        document = Document(work.design, work.file, "Restored work");
         document.held = work.held;
         document.mark_unsaved();
     }
     message_ = "Restored " + name_of(document.design);
+    if (const std::size_t others = to_restore_->others; others > 0)
+        message_ += "; " + std::to_string(others) + " more under File, Recover unsaved work";
     restored_ = std::exchange(to_restore_, std::nullopt);
 }
 
@@ -235,8 +237,9 @@ void FileFlow::draw_unsaved_question(Document& document) {
 }
 
 void FileFlow::draw_elsewhere_question(Document& document) {
-    const auto work = document.unsaved_elsewhere();
-    const auto answer = ask_about_unsaved_elsewhere(work ? name_of(*work->design) : "");
+    std::vector<std::string> names;
+    for (const Document::Unsaved& work : document.unsaved_elsewhere()) names.push_back(name_of(*work.design));
+    const auto answer = ask_about_unsaved_elsewhere(names);
     if (!answer) return;
     asking_elsewhere_ = false;
     if (*answer == UnsavedAnswer::discard) return go_on(document);
@@ -246,7 +249,7 @@ void FileFlow::draw_elsewhere_question(Document& document) {
 
 // Goes on unless a preset took the place of work that is not saved.
 void FileFlow::ask_elsewhere(Document& document) {
-    if (next_ != Next::nothing && document.unsaved_elsewhere())
+    if (next_ != Next::nothing && !document.unsaved_elsewhere().empty())
         asking_elsewhere_ = true;
     else
         go_on(document);

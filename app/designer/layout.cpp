@@ -17,6 +17,7 @@ namespace {
 constexpr float panel_max_part = 0.4f;  // of the window's width
 constexpr float grip_ems = 0.55f;       // width of what takes hold of a border, text sizes
 constexpr float drawer_max = 0.6f;      // of the height above the status line
+constexpr float history_part = 0.36f;   // of the panel's height
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoSavedSettings;
@@ -164,16 +165,20 @@ Places place_parts(const Layout& layout, const Shown& shown) {
     const float below = shown.drawer ? drawer_height(layout, height) : 0, upper = height - below;
     Places places{.panel = {},
                   .drawer = {},
+                  .history = {},
                   .canvas = {panel, top, width, upper},
                   .preview = {panel + width, top, std::max(beside - width, 1.0f), upper},
                   .status = {0, window.y - bottom, window.x, bottom}};
-    if (shown.panel) places.panel = PartBox{0, top, panel, height};
+    const float past = shown.panel && shown.history ? std::round(height * history_part) : 0;
+    if (shown.panel) places.panel = PartBox{0, top, panel, height - past};
+    if (past > 0) places.history = PartBox{0, top + height - past, panel, past};
     if (shown.drawer) places.drawer = PartBox{panel, top + upper, beside, below};
     return places;
 }
 
 void take_input(const Places& places, const InputParts& parts) {
     if (places.panel) draw_column("Panel", *places.panel, parts.panel);
+    if (places.history) draw_column("History", *places.history, parts.history);
     draw_picture_column(canvas_window, places.canvas, parts.canvas);
     draw_picture_column(preview_window, places.preview, parts.preview);
 }

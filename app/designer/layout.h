@@ -1,6 +1,6 @@
 // Where the parts of the window stand: a panel at the left, the canvas beside it, the preview at the right,
-// menu above, status below, and a drawer below canvas and preview that can be open. The borders between them
-// can be dragged.
+// menu above, status below, a drawer below canvas and preview and a history below the panel that can be open.
+// The borders between them can be dragged, but for that of the history.
 #pragma once
 
 #include <functional>
@@ -27,11 +27,12 @@ struct PartBox {
 
 struct Shown {
     bool panel, drawer;
+    bool history = false;  // with the panel
 };
 
 // Of this frame.
 struct Places {
-    std::optional<PartBox> panel, drawer;  // where they are shown
+    std::optional<PartBox> panel, drawer, history;  // where they are shown
     PartBox canvas, preview, status;
 };
 Places place_parts(const Layout& layout, const Shown& shown);
@@ -39,7 +40,7 @@ Places place_parts(const Layout& layout, const Shown& shown);
 // Each part is a Dear ImGui window of its own. First the input of this frame does its work in all of them,
 // ...
 struct InputParts {
-    std::function<void()> panel, canvas, preview;
+    std::function<void()> panel, canvas, preview, history = {};
 };
 void take_input(const Places& places, const InputParts& parts);
 

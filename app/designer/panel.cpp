@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/designer/designer.h"
+#include "app/designer/command.h"
 #include "app/designer/perform.h"
 #include "app/designer/scene_panel.h"
 #include "core/base/limits.h"
@@ -48,6 +48,14 @@ void draw_intensity(Specular& specular) {
         specular.intensity);
     if (specular.intensity > 1) ui::warning_text("Creates energy: it reflects more than it gets.");
     ImGui::Spacing();
+}
+
+// What the menu of the list has asked for.
+void use_clipboard(Designer& designer) {
+    const auto asked = std::exchange(designer.layers.asked, std::nullopt);
+    if (asked == ui::ClipboardAction::cut) perform(designer, cut_layer_command);
+    if (asked == ui::ClipboardAction::copy) perform(designer, copy_layer_command);
+    if (asked == ui::ClipboardAction::paste) perform(designer, paste_layer_command);
 }
 
 // Final tables of this design, if they are what the preview shows.
@@ -92,6 +100,7 @@ void draw_panel(Designer& designer) {
     tab("Layers", [&] {
         draw_intensity(design.specular);
         ui::layers_panel(designer.layers, design.distribution);
+        use_clipboard(designer);
     });
     tab("Material", [&] { draw_material(design); });
     tab("Light", [&] {

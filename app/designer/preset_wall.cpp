@@ -50,6 +50,13 @@ ui::PresetChoice draw_some(Designer& designer, bool starts) {
     return choice;
 }
 
+void follow_thumbnails(Designer& designer) {
+    std::vector<Thumbnails::Wanted> wanted;
+    for (const Preset& preset : designer.presets)
+        wanted.push_back({preset.file, [file = preset.file] { return load_design(file); }});
+    designer.thumbnails.follow(wanted);
+}
+
 }  // namespace
 
 void add_layers(Distribution& distribution, const Distribution& added, const std::string& name) {
@@ -65,7 +72,7 @@ void add_layers(Distribution& distribution, const Distribution& added, const std
 }
 
 void draw_presets(Designer& designer) {
-    designer.thumbnails.follow(designer.presets);
+    follow_thumbnails(designer);
     ui::heading("Start from a highlight");
     ui::PresetChoice choice = draw_some(designer, true);
     ImGui::Spacing();

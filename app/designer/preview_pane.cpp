@@ -50,7 +50,8 @@ std::optional<ui::BrushSurface> PreviewPane::point(const Scene& scene) {
     pointed_at_.reset();
     if (size_.x < 1 || size_.y < 1) return {};
     corner_ = ImGui::GetCursorScreenPos();
-    if (look.view == ui::CompareView::divider) ui::divider_handle(look.divider, corner_, size_);
+    if (look.view == ui::CompareView::divider && !look.alone)
+        ui::divider_handle(look.divider, corner_, size_);
     constexpr ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft |
                                          ImGuiButtonFlags_MouseButtonRight |
                                          ImGuiButtonFlags_MouseButtonMiddle;
@@ -118,9 +119,14 @@ void PreviewPane::draw_progress() const {
 
 // The divider, the names of the sides and the scale of a factor.
 void PreviewPane::draw_marks(const Scene& scene) {
-    if (look.view == ui::CompareView::divider) ui::draw_divider(look.divider, corner_, size_);
-    if (look.view != ui::CompareView::off) ui::side_labels(look.labels[0], look.labels[1], corner_, size_);
-    if (!is_factor(scene.term) || look.view == ui::CompareView::difference) return;
+    const bool difference = look.view == ui::CompareView::difference && !look.alone;
+    if (look.alone)
+        ui::side_labels(look.labels[static_cast<std::size_t>(*look.alone)], {}, corner_, size_);
+    else if (look.view == ui::CompareView::divider)
+        ui::draw_divider(look.divider, corner_, size_);
+    if (look.view != ui::CompareView::off && !look.alone)
+        ui::side_labels(look.labels[0], look.labels[1], corner_, size_);
+    if (!is_factor(scene.term) || difference) return;
     const FactorScale scale = preview_.shown_scale();
     const ScaleEnds ends = ends_in_words(scene.term, scale);
     ui::scale_legend({.title = info(scene.term).label,
@@ -146,7 +152,7 @@ void PreviewPane::draw_glow(const Scene& scene, const Veil& veil) {
 void PreviewPane::redraw_if_needed(const Scene& scene, glm::ivec2 size) {
     const double now = ImGui::GetTime();
     const bool changed = stale_ || scene != drawn_scene_ || size != drawn_size_ || look.view != drawn_view_ ||
-                         look.difference != drawn_difference_;
+                         look.alone != drawn_alone_ || look.difference != drawn_difference_;
     if (changed) {
         changed_at_ = now;
         last_motion_ = stale_ ? Motion::tables : Motion::scene;
@@ -173,6 +179,7 @@ void PreviewPane::redraw(const Scene& scene, glm::ivec2 size, DrawQuality qualit
         measured_draw(scene, texels, quality.supersample);
     drawn_scene_ = scene;
     drawn_view_ = look.view;
+    drawn_alone_ = look.alone;
     drawn_difference_ = look.difference;
     drawn_size_ = size;
     drawn_quality_ = quality;

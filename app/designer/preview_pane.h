@@ -83,6 +83,7 @@ class PreviewPane {
     bool stale_ = true;
     Scene drawn_scene_;
     ui::CompareView drawn_view_ = ui::CompareView::off;
+    std::optional<int> drawn_alone_;
     DifferenceLook drawn_difference_;
     glm::ivec2 drawn_size_{0};
     DrawQuality drawn_quality_;

@@ -75,7 +75,8 @@ std::optional<RecoveredWork> Recovery::draw() {
         return {};
     }
     try {
-        RecoveredWork restored{read_autosave(chosen->folder.file()), std::move(chosen->folder)};
+        RecoveredWork restored{read_autosave(chosen->folder.file()), std::move(chosen->folder),
+                               lost_.size() - 1};
         lost_.clear();
         problem_.clear();
         return restored;

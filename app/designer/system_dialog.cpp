@@ -4,27 +4,13 @@
 #include <string_view>
 #include <utility>
 
+#include "app/designer/program_in_path.h"
+
 namespace nacre {
 namespace {
 
 namespace fs = std::filesystem;
 using Purpose = ui::FileDialog::Purpose;
-
-fs::path program_in_path(const EnvironmentVariables& environment, const char* name) {
-    const char* path = environment("PATH");
-    for (std::string_view rest = path != nullptr ? path : ""; !rest.empty();) {
-        const std::size_t end = std::min(rest.find(':'), rest.size());
-        const fs::path file = fs::path(rest.substr(0, end)) / name;
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-        if (file.is_absolute() && is_executable(file)) return file;
-    }
-    return {};
-}
-
-bool is_set(const EnvironmentVariables& environment, const char* variable) {
-    const char* value = environment(variable);
-    return value != nullptr && *value != '\0';
-}
 
 std::string capitals(std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -74,7 +60,7 @@ std::vector<std::string> kdialog_arguments(const FileQuestion& question) {
 }  // namespace
 
 std::optional<DialogProgram> find_dialog_program(const EnvironmentVariables& environment) {
-    if (!is_set(environment, "DISPLAY") && !is_set(environment, "WAYLAND_DISPLAY")) return {};
+    if (!has_display(environment)) return {};
     using enum DialogProgram::Kind;
     const char* desktop = environment("XDG_CURRENT_DESKTOP");
     const bool kde = desktop != nullptr && std::string_view(desktop).find("KDE") != std::string_view::npos;

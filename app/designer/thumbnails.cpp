@@ -8,7 +8,6 @@
 #include "app/preview/render.h"
 #include "core/bake/bake.h"
 #include "core/base/system/thread_priority.h"
-#include "core/design/design_file.h"
 
 namespace nacre {
 namespace {
@@ -19,28 +18,30 @@ constexpr double zoom = 1.2;  // the sphere fills the picture
 }  // namespace
 
 Thumbnails::Thumbnails()
-    : job_([](const std::filesystem::path& file, const std::stop_token& stop, const auto& publish) {
+    : job_([](const Wanted& wanted, const std::stop_token& stop, const auto& publish) {
           set_niceness(niceness);
-          publish(bake(load_design(file), {.quality = Quality::draft, .threads = 1}, stop));
+          publish(bake(wanted.design(), {.quality = Quality::draft, .threads = 1}, stop));
       }) {}
 
-void Thumbnails::follow(const std::vector<Preset>& presets) {
+void Thumbnails::follow(const std::vector<Wanted>& wanted) {
     if (baking_) {
         const auto baked = job_.poll();
         if (!baked) return;
         draw(*std::exchange(baking_, std::nullopt), baked->result.value_or(nullptr));
-        return;
     }
-    for (const Preset& preset : presets)
-        if (!pictures_.contains(preset.file)) {
-            baking_ = preset.file;
-            job_.submit(preset.file);
+    std::erase_if(pictures_, [&](const auto& picture) {
+        return std::ranges::find(wanted, picture.first, &Wanted::name) == wanted.end();
+    });
+    for (const Wanted& one : wanted)
+        if (!pictures_.contains(one.name)) {
+            baking_ = one.name;
+            job_.submit(one);
             return;
         }
 }
 
-void Thumbnails::draw(const std::filesystem::path& file, std::shared_ptr<const Tables> tables) {
-    std::unique_ptr<Texture>& picture = pictures_[file];
+void Thumbnails::draw(const std::string& name, std::shared_ptr<const Tables> tables) {
+    std::unique_ptr<Texture>& picture = pictures_[name];
     if (!tables) return;
     if (!preview_) preview_ = std::make_unique<Preview>();
     preview_->set(std::move(tables));
@@ -55,8 +56,8 @@ void Thumbnails::draw(const std::filesystem::path& file, std::shared_ptr<const T
     picture->store(image.size, GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, bytes.data(), GL_LINEAR);
 }
 
-ImTextureID Thumbnails::texture(const std::filesystem::path& file) const {
-    const auto found = pictures_.find(file);
+ImTextureID Thumbnails::texture(const std::string& name) const {
+    const auto found = pictures_.find(name);
     if (found == pictures_.end() || !found->second) return nullptr;
     return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(found->second->name()));
 }

@@ -17,9 +17,11 @@ std::optional<UnsavedAnswer> ask_about_unsaved(const std::string& name) {
     return ask("\u201c" + name + "\u201d has changes that are not saved.", "Save");
 }
 
-std::optional<UnsavedAnswer> ask_about_unsaved_elsewhere(const std::string& name) {
-    return ask("\u201c" + name + "\u201d, the design before this one, has changes that are not saved.",
-               "Bring back");
+std::optional<UnsavedAnswer> ask_about_unsaved_elsewhere(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += "\u201c" + name + "\u201d, ";
+    text += names.size() > 1 ? "the designs before this one, have" : "the design before this one, has";
+    return ask(text + " changes that are not saved.", "Bring back");
 }
 
 }  // namespace nacre

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace nacre {
 
@@ -12,6 +13,6 @@ enum class UnsavedAnswer { keep, discard, cancel };
 std::optional<UnsavedAnswer> ask_about_unsaved(const std::string& name);
 
 // Of one that a preset took the place of: to keep it is to bring it back.
-std::optional<UnsavedAnswer> ask_about_unsaved_elsewhere(const std::string& name);
+std::optional<UnsavedAnswer> ask_about_unsaved_elsewhere(const std::vector<std::string>& names);
 
 }  // namespace nacre

@@ -44,6 +44,7 @@ void run(const Arguments& arguments) {
         const auto variable = [](const char* name) { return std::getenv(name); };
         nacre::Designer designer({.folders = nacre::user_folders(variable),
                                   .dialogs = nacre::find_dialog_program(variable),
+                                  .folder_opener = nacre::find_folder_opener(variable),
                                   .welcomes = true,
                                   .wake = nacre::Window::wake});
         // One that cannot be read is told in the window, which a desktop shows, unlike standard error.

@@ -26,6 +26,7 @@ HeadlessDesigner::HeadlessDesigner(const StageOptions& options)
     designer_ = std::make_unique<Designer>(DesignerOptions{.bake_threads = options.bake_threads,
                                                            .folders = options.folders,
                                                            .dialogs = options.dialogs,
+                                                           .folder_opener = options.folder_opener,
                                                            .autosave_bytes = options.autosave_bytes,
                                                            .welcomes = options.welcomes});
 }

@@ -23,6 +23,7 @@ struct StageOptions {
     int bake_threads = 0;      // as many as the machine has
     UserFolders folders = {};  // a test's own; without them nothing of the user's is read or kept
     std::optional<DialogProgram> dialogs = {};
+    std::filesystem::path folder_opener = {};
     std::uintmax_t autosave_bytes = autosave_bytes_max;
     bool welcomes = false;  // as the window does at a first run
 };

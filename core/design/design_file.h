@@ -31,6 +31,9 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
 // that the chosen models do not have (the correlation width of `uncorrelated`) are not in it.
 std::string design_json(const Design& design, const std::filesystem::path& base_dir);
 
+// The same with absolute paths, so that the text may be read anywhere on this machine.
+std::string portable_design_json(const Design& design);
+
 // The file appears whole or not at all. Returns its content.
 FileContent save_design(const Design& design, const std::filesystem::path& file);
 

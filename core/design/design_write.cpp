@@ -67,7 +67,7 @@ std::string raster_text(const Raster& raster) {
 
 // Where the text will stand.
 struct Target {
-    fs::path base_dir;
+    fs::path base_dir;  // empty: anywhere
     std::string file;
 };
 
@@ -76,8 +76,9 @@ std::string picture_text(const Picture& picture, const std::string& where, const
         assert(picture.raster);
         return raster_text(*picture.raster);
     }
+    const fs::path whole = fs::absolute(picture.file).lexically_normal();
     const std::string path =
-        fs::absolute(picture.file).lexically_normal().lexically_relative(target.base_dir).generic_string();
+        (target.base_dir.empty() ? whole : whole.lexically_relative(target.base_dir)).generic_string();
     try {
         return nlohmann::json(path).dump();
     } catch (const nlohmann::json::exception&) {
@@ -196,6 +197,8 @@ int version_of(const Design& design) {
 std::string design_json(const Design& design, const fs::path& base_dir) {
     return design_text(design, {absolute_folder(base_dir), "design"});
 }
+
+std::string portable_design_json(const Design& design) { return design_text(design, {{}, "design"}); }
 
 FileContent save_design(const Design& design, const fs::path& file) {
     const std::string text = design_text(design, {absolute_folder(file.parent_path()), file.string()});

@@ -8,19 +8,20 @@
 
 namespace nacre {
 
-History::History(Design design) { states_.push_back({std::move(design), 0}); }
+History::History(Design design, std::string what) { push({std::move(design), 0, std::move(what)}); }
 
-void History::commit(const Design& design) {
-    if (design != current()) push({design, document()});
+void History::commit(const Design& design, const std::string& what) {
+    if (design != current()) push({design, document(), what});
 }
 
-void History::begin(const Design& design) {
-    push({design, documents_++});
+void History::begin(const Design& design, const std::string& what) {
+    push({design, documents_++, what});
     mark_saved();
 }
 
 void History::push(State state) {
-    states_.resize(position_ + 1);
+    if (!states_.empty()) states_.resize(position_ + 1);
+    state.number = numbers_++;
     states_.push_back(std::move(state));
     while (states_.size() > steps_max + 1 || (states_.size() > 2 && pixels() > pixels_max))
         states_.pop_front();
@@ -47,11 +48,12 @@ bool History::is_saved(const State& state) const {
     return saved != saved_.end() && saved->second == state.design;
 }
 
-const History::State* History::unsaved_elsewhere() const {
+std::vector<const History::State*> History::unsaved_elsewhere() const {
+    std::vector<const State*> unsaved;
     std::set<int> seen{document()};
     for (auto state = states_.rbegin(); state != states_.rend(); ++state)
-        if (seen.insert(state->document).second && !is_saved(*state)) return &*state;
-    return nullptr;
+        if (seen.insert(state->document).second && !is_saved(*state)) unsaved.push_back(&*state);
+    return unsaved;
 }
 
 void History::undo() {
@@ -60,6 +62,11 @@ void History::undo() {
 
 void History::redo() {
     if (can_redo()) ++position_;
+}
+
+void History::go_to(std::uint64_t number) {
+    const auto found = std::ranges::find(states_, number, &State::number);
+    if (found != states_.end()) position_ = static_cast<std::size_t>(found - states_.begin());
 }
 
 }  // namespace nacre

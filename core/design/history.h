@@ -2,8 +2,11 @@
 // own: whether one is saved says nothing about the other.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "core/design/design.h"
 
@@ -14,16 +17,17 @@ class History {
     static constexpr std::size_t steps_max = 200;                     // undo steps that are kept ...
     static constexpr std::size_t pixels_max = std::size_t{64} << 20;  // ... with no more pixels, 256 MiB
 
-    explicit History(Design design);
+    // `what` says in a few words what was done to make a design: "Paint", "Softness".
+    History(Design design, std::string what);
 
     const Design& current() const { return states_[position_].design; }
     int document() const { return states_[position_].document; }  // that the current design belongs to
 
     // A design equal to the current one adds no step; any other discards the steps that could be redone.
-    void commit(const Design& design);
+    void commit(const Design& design, const std::string& what);
 
     // The design as a new document, in one step of undo. It counts as saved.
-    void begin(const Design& design);
+    void begin(const Design& design, const std::string& what);
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ + 1 < states_.size(); }
@@ -38,10 +42,19 @@ class History {
     struct State {
         Design design;
         int document = 0;
+        std::string what = {};
+        std::uint64_t number = 0;  // of no other state of this history, ever
     };
-    // The newest design of another document that undo or redo would bring back, where it is not saved; null
-    // where there is none.
-    const State* unsaved_elsewhere() const;
+    // From the oldest that is kept to the newest that could be redone.
+    const std::deque<State>& states() const { return states_; }
+    std::size_t position() const { return position_; }  // of the current one
+
+    // Undoes or redoes until the state of this number is the current one; no effect where it is gone.
+    void go_to(std::uint64_t number);
+
+    // Of each other document the newest design that undo or redo would bring back, where it is not saved; the
+    // newest first.
+    std::vector<const State*> unsaved_elsewhere() const;
 
   private:
     bool is_saved(const State& state) const;
@@ -50,6 +63,7 @@ class History {
 
     std::deque<State> states_;
     std::size_t position_ = 0;
+    std::uint64_t numbers_ = 0;    // given
     std::map<int, Design> saved_;  // of each document what is on disk
     int documents_ = 1;
 };

@@ -5,22 +5,24 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/error.h"
 #include "core/base/system/atomic_file.h"
+#include "core/base/utf8.h"
 
 namespace nacre {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t prefix_max = 64;  // characters
+constexpr std::size_t prefix_max = 64;      // characters
+constexpr std::size_t file_name_max = 120;  // of it, in a step
 
 }  // namespace
 
-void ExportWriter::operator()(const fs::path& output) const {
-    if (fill_)
-        fill_(output);
-    else
-        write_file_atomically(output, bytes_);
+std::vector<fs::path> ExportWriter::operator()(const fs::path& output) const {
+    if (fill_) return fill_(output);
+    write_file_atomically(output, bytes_);
+    return {output};
 }
 
 std::span<const ExportFormat* const> export_formats() {
@@ -36,6 +38,25 @@ std::vector<fs::path> one_file(const Design&, const fs::path& file) { return {fi
 
 std::string about(const ExportFormat& format, std::string_view prefix) {
     return fmt::format(fmt::runtime(format.about), fmt::arg("prefix", prefix));
+}
+
+std::vector<std::string> next_steps(NextSteps next, std::string_view prefix, const fs::path& output) {
+    const fs::path whole = output.has_filename() ? output : output.parent_path();
+    const std::string text =
+        fmt::format(fmt::runtime(next.text()), fmt::arg("prefix", prefix),
+                    fmt::arg("file", one_line(as_utf8(whole.filename().string()), file_name_max)));
+    std::vector<std::string> steps(1);
+    for (const char c : text)
+        if (c == '\n')
+            steps.emplace_back();
+        else
+            steps.back() += c;
+    return steps;
+}
+
+std::vector<std::string> next_steps(const ExportFormat& format, std::string_view prefix,
+                                    const fs::path& output) {
+    return next_steps(format.next, prefix, output);
 }
 
 std::string prefix_problem(std::string_view prefix) {

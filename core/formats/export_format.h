@@ -20,17 +20,20 @@ namespace nacre {
 class ExportWriter {
   public:
     explicit ExportWriter(std::string bytes) : bytes_(std::move(bytes)) {}
-    explicit ExportWriter(std::function<void(const std::filesystem::path&)> fill) : fill_(std::move(fill)) {}
+    explicit ExportWriter(
+        std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> fill)
+        : fill_(std::move(fill)) {}
 
-    // Each file appears whole or not at all; what fails is a UserError about it.
-    void operator()(const std::filesystem::path& output) const;
+    // Each file appears whole or not at all; what fails is a UserError about it. Returns the files.
+    std::vector<std::filesystem::path> operator()(const std::filesystem::path& output) const;
 
     // The file, of a format that is one.
     const std::string& bytes() const { return bytes_; }
 
   private:
     std::string bytes_;
-    std::function<void(const std::filesystem::path& folder)> fill_;  // of a format that is a folder
+    // Of a format that is a folder.
+    std::function<std::vector<std::filesystem::path>(const std::filesystem::path& folder)> fill_;
 };
 
 struct ExportSettings {
@@ -38,10 +41,22 @@ struct ExportSettings {
     std::string prefix = "nacre";  // of every name that a file in a shading language defines
 };
 
+// Of an export: one step a line. It has no default, so that no format leaves it out.
+class NextSteps {
+  public:
+    constexpr NextSteps(std::string_view text) : text_(text) {}
+    constexpr NextSteps(const char* text) : text_(text) {}
+    constexpr std::string_view text() const { return text_; }
+
+  private:
+    std::string_view text_;
+};
+
 struct ExportFormat {
     std::string_view name;       // as `nacre-cli export --to` takes it
     std::string_view title;      // as a menu shows it
     std::string_view about;      // one line; see about()
+    NextSteps next;              // what to do with it in the program that it is for; see next_steps()
     std::string_view extension;  // of its file; empty: it is a folder
     bool has_names;              // it defines names, which begin with ExportSettings::prefix
     // Every file that it may write.
@@ -63,8 +78,12 @@ std::vector<std::filesystem::path> one_file(const Design& design, const std::fil
 // What a format is, with the names that it defines under this prefix.
 std::string about(const ExportFormat& format, std::string_view prefix);
 
-// What a format is, with the names that it defines under this prefix.
-std::string about(const ExportFormat& format, std::string_view prefix);
+// What to do next with what was written there, step by step.
+std::vector<std::string> next_steps(const ExportFormat& format, std::string_view prefix,
+                                    const std::filesystem::path& output);
+// The same of other steps: {prefix} and {file} stand for what they name.
+std::vector<std::string> next_steps(NextSteps next, std::string_view prefix,
+                                    const std::filesystem::path& output);
 
 // What is wrong with a prefix of names, or nothing: letters, digits and single underscores, a letter first.
 std::string prefix_problem(std::string_view prefix);

@@ -16,7 +16,7 @@ ExportWriter prepare(const Design& design, const ExportSettings& settings, const
     const auto tables = bake(design, options, stop, progress);
     const TableErrors errors = measure_table_errors(*tables, Reference(design), stop);
     return ExportWriter([design, tables, errors](const fs::path& folder) {
-        write_table_files(folder, design, *tables, errors);
+        return write_table_files(folder, design, *tables, errors);
     });
 }
 
@@ -29,6 +29,15 @@ std::vector<fs::path> files(const Design& design, const fs::path& folder) {
 const ExportFormat exr_format{.name = "exr",
                               .title = "Tables as EXR pictures",
                               .about = "a folder of tables as EXR pictures, with manifest.json",
+                              .next =
+                                  "Load each .exr file of {file} as a texture of floats: linear between "
+                                  "texels, clamped to its edges, no sRGB, no mipmaps.\n"
+                                  "Read corners.exr the same way: 1 and 2 stand in its first line's ends, 3 "
+                                  "and 4 in its last's. Else the loader flips pictures.\n"
+                                  "Evaluate what manifest.json says under evaluate and brdf, in that order, "
+                                  "with its constants; examples/read_tables.py does so.\n"
+                                  "Multiply by the light and by the cosine of its angle. docs/tables.md "
+                                  "explains every key.",
                               .extension = "",
                               .has_names = false,
                               .files = files,

@@ -89,8 +89,8 @@ std::vector<fs::path> table_files(const fs::path& folder, const Design& design) 
 }
 
 // The manifest is never beside tables that it does not describe, nor tables of two designs together.
-void write_table_files(const fs::path& folder, const Design& design, const Tables& tables,
-                       const TableErrors& errors) {
+std::vector<fs::path> write_table_files(const fs::path& folder, const Design& design, const Tables& tables,
+                                        const TableErrors& errors) {
     const OutputFolder made(folder);
     const std::vector<TablePicture> pictures = table_pictures(tables);
     const std::string manifest = table_manifest(design, tables, pictures, errors);
@@ -102,6 +102,9 @@ void write_table_files(const fs::path& folder, const Design& design, const Table
         files.push_back({folder / pictures[i].file, text_of(encoded[i])});
     files.push_back({folder / manifest_name, manifest});
     write_files_atomically(files);
+    std::vector<fs::path> written;
+    for (const FileToWrite& file : files) written.push_back(file.file);
+    return written;
 }
 
 }  // namespace nacre

@@ -28,8 +28,10 @@ std::vector<TablePicture> table_pictures(const Tables& tables);
 // Every file that write_table_files() may write there.
 std::vector<std::filesystem::path> table_files(const std::filesystem::path& folder, const Design& design);
 
-// Writes every picture and then manifest.json into `folder`, which is made when it is not there.
-void write_table_files(const std::filesystem::path& folder, const Design& design, const Tables& tables,
-                       const TableErrors& errors);
+// Writes every picture and then manifest.json into `folder`, which is made when it is not there. Returns the
+// files.
+std::vector<std::filesystem::path> write_table_files(const std::filesystem::path& folder,
+                                                     const Design& design, const Tables& tables,
+                                                     const TableErrors& errors);
 
 }  // namespace nacre

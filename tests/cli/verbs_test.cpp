@@ -140,6 +140,24 @@ TEST_CASE("export --to glsl writes the function") {
     CHECK(list.find("glsl") != std::string::npos);
 }
 
+TEST_CASE("export tells the next steps on standard error, to a terminal or where it is asked to") {
+    const TemporaryFolder folder;
+    const DesignOnDisk design(design_of(GaussianLobe{}));
+    const std::vector<std::string> quiet = {"export", design.path(), "--to", "glsl", "-o", folder / "a.glsl"};
+    const Finished silent = run_cli(quiet);
+    CHECK(silent.out.empty());
+    CHECK(silent.err.empty());
+    std::vector<std::string> verbose = quiet;
+    verbose.insert(verbose.end(), {"--prefix", "satin", "--verbose"});
+    const Finished told = run_cli(verbose);
+    CHECK(told.code == 0);
+    CHECK(told.out.empty());
+    CHECK(told.err.starts_with("wrote " + (folder / "a.glsl").string() + "\n1. Paste a.glsl into "));
+    CHECK(told.err.find("\n3. Add satin_brdf(") != std::string::npos);
+    // What goes to a stream is no file to tell of.
+    CHECK(run_cli({"export", design.path(), "--to", "glsl", "-o", "-", "--verbose"}).err.empty());
+}
+
 TEST_CASE("plot writes a drawing or numbers, and its R is that of tables") {
     const TemporaryFolder folder;
     Design model = design_of(GgxLobe{0.3, 0.3});

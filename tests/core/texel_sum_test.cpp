@@ -31,14 +31,14 @@ TEST_CASE(
         set_raster(layer, drawn.raster(), raster_mass(*before), 1);
     };
     stroke(PaintTool::paint, SymmetryKind::none, {0.1, 0.2, 1}, {0.6, -0.2, 0.5});
-    History history(design);
+    History history(design, "start");
     baked(design);
     stroke(PaintTool::paint, SymmetryKind::turns, {-0.5, 0.1, 0.4}, {-0.2, -0.4, 1});
-    history.commit(design);
+    history.commit(design, "step");
     baked(design);
     stroke(PaintTool::smear, SymmetryKind::none, {0.3, 0.1, 0.8}, {-0.6, 0.3, 0.2});
     stroke(PaintTool::erase, SymmetryKind::mirror_x, {0.6, -0.2, 0.5}, {0.5, 0.2, 0.5});
-    history.commit(design);
+    history.commit(design, "step");
     baked(design);
     history.undo();
     baked(history.current());

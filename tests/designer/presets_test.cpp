@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
+
 #include "app/designer/recovery.h"
 #include "core/base/error.h"
 #include "core/base/limits.h"
@@ -120,4 +122,78 @@ TEST_CASE("presets: unsaved work that a preset took the place of is kept for a r
     for (const auto& entry : fs::recursive_directory_iterator(folder / "state/nacre/unsaved"))
         if (entry.path().filename() == autosave_name) name = read_autosave_head(entry.path()).name;
     CHECK(name == "Precious");
+}
+
+TEST_CASE("presets: of unsaved work and an edited preset in its place a kill loses neither") {
+    const TemporaryFolder folder;
+    const fs::path unsaved = folder / "state/nacre/unsaved";
+    const auto kept = [&] {
+        std::multiset<std::string> names;
+        for (const auto& entry : fs::recursive_directory_iterator(unsaved))
+            if (entry.path().filename() == autosave_name)
+                names.insert(read_autosave(entry.path()).design.name);
+        return names;
+    };
+    {
+        Rig r({.bake_threads = 1, .folders = below(folder)});
+        const auto edit = [&](const char* name) {
+            r.document().design.name = name;
+            r.play("frames 2");
+            r.designer().autosave.wait();
+            r.play("frames 2");
+            CHECK(r.designer().autosave.problem().empty());
+        };
+        edit("First");
+        r.play(click_satin);
+        edit("Second");
+        CHECK(kept() == std::multiset<std::string>{"First", "Second"});
+        r.play(click_satin);
+        edit("Third");
+        CHECK(kept() == std::multiset<std::string>{"First", "Second", "Third"});
+        edit("Third again");
+        CHECK(kept() == std::multiset<std::string>{"First", "Second", "Third again"});
+        // Back in the first, whose newest step is what undo has come to; the others are done again by redo.
+        while (r.document().history.can_undo() && r.document().design.name != "First") r.document().undo();
+        r.play("frames 2");
+        r.designer().autosave.wait();
+        CHECK(kept() == std::multiset<std::string>{"First", "Second", "Third again"});
+        while (r.document().history.can_redo()) r.document().redo();
+        r.play("frames 2");
+        r.designer().autosave.wait();
+    }  // without finish(): as if it had been killed
+    CHECK(kept() == std::multiset<std::string>{"First", "Second", "Third again"});
+    Rig r({.bake_threads = 1, .folders = below(folder)});
+    REQUIRE(r.designer().recovery.count() == 3);
+    r.play("frames 3\nclick \"Restore\"\nframes 3");
+    const std::string restored = r.document().design.name;
+    CHECK(kept().count(restored) == 1);
+    CHECK(r.designer().files.message() ==
+          "Restored " + restored + "; 2 more under File, Recover unsaved work");
+    r.designer().autosave.wait();
+    finish(r.designer());  // the restored one is this program's; the others wait for the next start
+    CHECK(kept().size() == 2);
+    Recovery next(unsaved);
+    next.look();
+    CHECK(next.count() == 2);
+}
+
+TEST_CASE("presets: saving one of several unsaved works removes what was kept of it alone") {
+    const TemporaryFolder folder;
+    Rig r({.bake_threads = 1, .folders = below(folder)});
+    r.document().design.name = "First";
+    r.play("frames 2");
+    r.play(click_satin);
+    r.document().design.name = "Second";
+    r.play("frames 2");
+    r.document().file = folder / "second.nacre";
+    r.designer().files.save(r.document());
+    r.play("frames 2");
+    REQUIRE(fs::exists(folder / "second.nacre"));
+    r.designer().autosave.wait();
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "state/nacre/unsaved"))
+        if (entry.path().filename() == autosave_name) names.push_back(read_autosave_head(entry.path()).name);
+    CHECK(names == std::vector<std::string>{"First"});
+    r.play("key Ctrl+Q\nframes 3");
+    CHECK(!r.designer().files.may_quit());  // the first is asked about
 }

@@ -70,6 +70,9 @@ TEST_CASE("tooltips: what a choice brings") {
     check_all_explained(r, told);
     r.play("click \"Compare\"\nclick \"View Difference\"\nclick \"Take snapshot\"\nwait");
     check_all_explained(r, told);
+    r.play("key Ctrl+D\nkey Ctrl+D\nkey Ctrl+Z\nkey Ctrl+H\nframes 30");
+    REQUIRE(r.stage.items().rectangle("Step 2"));
+    check_all_explained(r, told);
 }
 
 TEST_CASE("tooltips: each kind of lobe") {

@@ -93,7 +93,7 @@ TEST_CASE("labels: snapshots as sides of a comparison") {
     check_whole([](const char* name) {
         ui::CompareState state;
         std::string own = "own";
-        const std::vector<ui::SnapshotRow> rows = {{"A", &own}};
+        const std::vector<ui::SnapshotRow> rows = {{.letter = "A", .name = &own}};
         const std::vector<ui::SideChoice> choices = {{state.left, name, "", true},
                                                      {state.left + 7, name, "", true}};
         PanelRig rig([&] { ui::compare_panel(state, rows, choices, name); });

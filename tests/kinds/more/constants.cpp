@@ -18,6 +18,7 @@ ExportWriter prepare(const Design& design, const ExportSettings& settings, const
 const ExportFormat constants_format{.name = "constants",
                                     .title = "Constants",
                                     .about = "N and g(n), as text",
+                                    .next = "Read {file} line by line: a name and its number.",
                                     .extension = ".txt",
                                     .has_names = false,
                                     .files = one_file,
