@@ -9,7 +9,7 @@
 
 #include "ui/balance_buttons.h"
 #include "ui/brush_settings.h"
-#include "ui/canvas_paint.h"
+#include "ui/canvas_select.h"
 #include "ui/canvas_tools.h"
 #include "ui/item_map.h"
 #include "ui/keys.h"
@@ -107,7 +107,16 @@ float scale_width() { return button_width(density_scales[2].label) + ImGui::GetF
 
 // The middle of the row: what this tool needs.
 void tool_number(CanvasState& state, ToolNeed need, float width) {
-    if (need == ToolNeed::picture) {
+    if (need == ToolNeed::tolerance) {
+        percent("Tolerance", "tolerance %.0f %%",
+                "How much values may differ from the one that is pointed at and still be filled with it.",
+                width, usual_tolerance, state.tolerance);
+    } else if (need == ToolNeed::form) {
+        int form = static_cast<int>(state.form);
+        choice("Gradient form", form, {"Linear", "Radial"}, width,
+               "Linear: across the drag. Radial: around the press.");
+        state.form = static_cast<GradientForm>(form);
+    } else if (need == ToolNeed::picture) {
         stamp_row(state, width, ImGui::GetStyle().ItemInnerSpacing.x);
     } else if (need == ToolNeed::rays) {
         whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, width, "How many rays the star has.",
@@ -126,13 +135,8 @@ float number_width(float others) {
     return std::clamp(room / 3, size * 4.4f, size * 6.2f);
 }
 
-void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& mean,
-               Distribution& distribution) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
-    const bool turned = state.symmetry.kind == SymmetryKind::turns;
-    const float menu = button_width("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
-    const float settings = button_width(brush_settings_text);
-    const float width = number_width(menu + settings + 4 * gap + (turned ? turns + gap : 0));
+// What a tool needs that is as wide as the brush.
+void dab_numbers(CanvasState& state, ToolNeed need, float width, float gap) {
     bar({.label = "Brush radius",
          .low = brush_radius_min,
          .high = brush_radius_max,
@@ -146,11 +150,37 @@ void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& m
                     "comma and point, change it."},
         width, state.brush.radius);
     stay_on_line(width, gap);
-    tool_number(state, info(tool).needs, width);
+    tool_number(state, need, width);
     stay_on_line(width, gap);
     percent("Flow", "flow %.0f %%",
             "How much one touch of the brush does: low flow builds up stroke by stroke.", width, Brush{}.flow,
             state.brush.flow);
+}
+
+// What one needs that covers an area at once.
+void area_numbers(CanvasState& state, ToolNeed need, float width, float gap) {
+    tool_number(state, need, width);
+    stay_on_line(width, gap);
+    percent("Paint value", "value %.0f %%", "How much is painted, of full paint: the brush's value.", width,
+            Brush{}.value, state.brush.value);
+    stay_on_line(width, gap);
+    percent("Paint opacity", "opacity %.0f %%", "How much of its full effect it has: the brush's opacity.",
+            width, Brush{}.opacity, state.brush.opacity);
+}
+
+void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& mean,
+               Distribution& distribution) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
+    const bool turned = state.symmetry.kind == SymmetryKind::turns;
+    const float menu = button_width("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
+    const float settings = button_width(brush_settings_text);
+    const bool wide = is_as_wide_as_brush(info(tool));
+    // What stands beside the numbers of an area goes to the next line.
+    const float width = number_width(wide ? menu + settings + 4 * gap + (turned ? turns + gap : 0) : 2 * gap);
+    if (wide)
+        dab_numbers(state, info(tool).needs, width, gap);
+    else
+        area_numbers(state, info(tool).needs, width, gap);
     stay_on_line(menu, gap);
     int kind = static_cast<int>(state.symmetry.kind);
     choice("Symmetry", kind, {std::begin(symmetries), std::end(symmetries)}, menu,
@@ -181,6 +211,20 @@ void handles_row(CanvasState& state, const std::optional<dvec3>& mean, Distribut
     ImGui::TextWrapped("%s", state.tool == CanvasTool::grab ? "Drag a highlight, here or on the sphere."
                                                             : "Drag a lobe's middle, ends or outline.");
     ImGui::PopStyleColor();
+}
+
+// Where they do not fit on one line, whole groups go to the next.
+void tool_buttons(CanvasState& state) {
+    const auto tools = canvas_tools();
+    const float side = ImGui::GetFrameHeight(), gap = scaled(2);
+    for (auto entry = tools.begin(); entry != tools.end(); ++entry) {
+        const bool begins = entry->face->begins_group;
+        const auto next = std::find_if(entry + 1, tools.end(),
+                                       [](const ToolEntry& later) { return later.face->begins_group; });
+        const float rest = static_cast<float>(next - entry) * (side + gap) - gap;
+        if (entry != tools.begin()) stay_on_line(begins ? rest : side, begins ? scaled(8) : gap);
+        tool_button(state, *entry);
+    }
 }
 
 void take_keys(CanvasState& state) {
@@ -227,12 +271,7 @@ void resize_brush(CanvasState& state, int steps) {
 void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distribution& distribution,
                     std::size_t& chosen) {
     take_keys(state);
-    bool first = true;
-    for (const ToolEntry& entry : canvas_tools()) {
-        if (!first) stay_on_line(ImGui::GetFrameHeight(), scaled(entry.face->begins_group ? 8.0f : 2.0f));
-        first = false;
-        tool_button(state, entry);
-    }
+    tool_buttons(state);
     stay_on_line(button_width("+"), ImGui::GetStyle().ItemSpacing.x);
     if (button("+##New painted layer", "A new layer to paint on, with nothing on it yet.",
                distribution.layers.size() < limits::layers_max)) {
@@ -241,6 +280,8 @@ void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distri
     }
     if (const auto tool = paints_with(state.tool))
         brush_row(state, *tool, mean, distribution);
+    else if (selects_with(state.tool))
+        selection_row(state);
     else
         handles_row(state, mean, distribution);
 }

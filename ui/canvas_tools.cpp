@@ -30,11 +30,14 @@ constexpr ToolFace grab_face{
     }};
 
 constexpr ToolEntry tools[] = {
-    {CanvasTool::handles, &handles_face, {}},
-    {CanvasTool::grab, &grab_face, {}},
+    {CanvasTool::handles, &handles_face},
+    {CanvasTool::grab, &grab_face},
 #define TOOL(name) {CanvasTool::name, &name##_tool.face, PaintTool::name},
 #include "core/paint/tool_list.inc"
 #undef TOOL
+#define SELECT(name) {CanvasTool::select_##name, &select_##name##_tool.face, {}, SelectTool::name},
+#include "core/paint/select_list.inc"
+#undef SELECT
 };
 
 }  // namespace
@@ -46,5 +49,17 @@ std::string tool_tooltip(const ToolFace& face) {
 }
 
 std::optional<PaintTool> paints_with(CanvasTool tool) { return tools[static_cast<std::size_t>(tool)].paints; }
+
+std::optional<SelectTool> selects_with(CanvasTool tool) {
+    return tools[static_cast<std::size_t>(tool)].selects;
+}
+
+bool works_on_object(CanvasTool tool) { return tool == CanvasTool::grab || paints_with(tool); }
+
+LayerPart part_in_hand(const CanvasState& state, const Distribution& distribution, std::size_t chosen) {
+    const auto& layers = distribution.layers;
+    const bool masked = chosen < layers.size() && has_part(layers[chosen], LayerPart::mask);
+    return state.paints_mask && masked ? LayerPart::mask : LayerPart::lobe;
+}
 
 }  // namespace nacre::ui

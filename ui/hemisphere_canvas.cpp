@@ -12,7 +12,9 @@
 #include "ui/canvas_handles.h"
 #include "ui/canvas_paint.h"
 #include "ui/canvas_path.h"
+#include "ui/canvas_select.h"
 #include "ui/canvas_toolbar.h"
+#include "ui/canvas_tools.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -55,6 +57,14 @@ BrushSurface surface_of(const CanvasFrame& frame) {
         .pointed_at = frame.cursor,
         .pixel = frame.pixel(ImGui::GetIO().MousePos),
         .normal = [&frame](glm::dvec2 pixel) { return std::optional(frame.view.nearest_direction(pixel)); }};
+}
+
+// Returns whether the pointer is the tool's.
+bool work_on_canvas(CanvasState& state, const CanvasFrame& frame, const CanvasSight& sight,
+                    Distribution& distribution, std::size_t& chosen) {
+    if (state.tool == CanvasTool::handles) return handle_layers(state, frame, distribution, chosen);
+    if (selects_with(state.tool)) return select_area(state, frame);
+    return use_tool(state, surface_of(frame), sight.p, distribution, chosen);
 }
 
 // A line of words and numbers, and one of buttons.
@@ -169,9 +179,7 @@ CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribut
                       .cursor = {}};
     frame.cursor = cursor_of(frame);
     move_camera(state, frame);
-    const bool taken = state.tool == CanvasTool::handles
-                           ? handle_layers(state, frame, distribution, chosen)
-                           : use_tool(state, surface_of(frame), sight.p, distribution, chosen);
+    const bool taken = work_on_canvas(state, frame, sight, distribution, chosen);
     if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
                           ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
         state.camera = state.camera.whole();
@@ -190,6 +198,7 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
         list.AddImage(contents.picture, frame.low,
                       {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
     draw_grid(frame);
+    draw_selection(state, frame);
     if (contents.p && !state.camera.highlight) draw_mean_normal(frame, *contents.p);
     if (contents.design && state.tool == CanvasTool::handles)
         draw_handles(state, frame, *contents.design, contents.chosen);

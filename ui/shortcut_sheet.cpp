@@ -26,6 +26,7 @@ SheetGroup mouse_group() {
              {"Shift+drag on the canvas", "With a brush: sizes it."},
              {"Shift+click there", "A line from where the last stroke ended."},
              {"Ctrl or Alt+click", "With a brush: picks the value that is there."},
+             {"Shift+drag, selecting", "Adds to what is selected; Ctrl or Alt takes away."},
              {"Double click", "On a number or its label: its usual value."},
              {"Ctrl+click", "On a number: type it."},
              {"Escape", "Closes what is on top, takes a drag back."},

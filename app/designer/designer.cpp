@@ -49,7 +49,7 @@ void work_on_preview(Designer& designer) {
     ui::term_bar(scene.term, !shows_model, designer.layers.expert);
     ui::CanvasState& canvas = designer.canvas.state;
     const auto sphere = designer.preview.point(scene);
-    const bool taken = sphere && canvas.tool != ui::CanvasTool::handles &&
+    const bool taken = sphere && ui::works_on_object(canvas.tool) &&
                        ui::use_tool(canvas, *sphere, designer.frame.p, designer.document.design.distribution,
                                     designer.layers.chosen);
     designer.preview.work(scene, taken);
