@@ -71,9 +71,7 @@ void follow(const BrushSurface& surface, HeldBrush& held, double string) {
 void show_stroke(HeldBrush& held, Distribution& distribution) {
     auto raster = held.stroke.raster();
     Layer& layer = distribution.layers[held.paint.layer()];
-    if (held.paint.part() == LayerPart::mask ? layer.modulation->image.raster == raster
-                                             : std::get<PaintedLobe>(layer.lobe).image.raster == raster)
-        return;
+    if (part_picture(layer, held.paint.part())->raster == raster) return;
     layer = held.paint.with(std::move(raster));
 }
 

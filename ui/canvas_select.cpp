@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/canvas_tools.h"
+#include "ui/canvas_transform.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -77,11 +78,13 @@ class DashedLine {
     ImVector<ImVec2> points_;
 };
 
-void draw_outline(const CanvasFrame& frame, const std::vector<dvec2>& outline) {
+// `place` is where each of its points is shown.
+template <class Place>
+void draw_outline(const CanvasFrame& frame, const std::vector<dvec2>& outline, const Place& place) {
     DashedLine line;
     const bool below = frame.view.camera().below;
     for (std::size_t i = 0; i <= outline.size(); ++i) {
-        const dvec2 at = outline[i % outline.size()];
+        const dvec2 at = place(outline[i % outline.size()]);
         // What ends at the horizon lies on it.
         const double r = glm::length(at);
         const dvec3 h = disk_direction(!below && r > 1 ? at * ((1 - 1e-9) / r) : at);
@@ -114,7 +117,10 @@ bool select_area(CanvasState& state, const CanvasFrame& frame) {
 void draw_selection(const CanvasState& state, const CanvasFrame& frame) {
     if (state.selection)
         for (const auto& outline : state.selection->outlines(frame.view.camera().below))
-            draw_outline(frame, outline);
+            draw_outline(frame, outline, [&](dvec2 at) {
+                if (!transform_pending(state)) return at;
+                return state.transform->box.at(state.transform->transform.box().own(at));
+            });
     const auto tool = selects_with(state.tool);
     if (!state.selecting || !tool) return;
     std::vector<glm::dvec2> corners = info(*tool).outline(state.selecting->way);

@@ -11,11 +11,13 @@
 #include "ui/brush_settings.h"
 #include "ui/canvas_select.h"
 #include "ui/canvas_tools.h"
+#include "ui/canvas_transform.h"
 #include "ui/item_map.h"
 #include "ui/keys.h"
 #include "ui/slider_bar.h"
 #include "ui/stamp_row.h"
 #include "ui/theme.h"
+#include "ui/toolbar_fields.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -40,67 +42,6 @@ void tool_button(CanvasState& state, const ToolEntry& entry) {
     draw_tool_icon(*entry.face, corner, side,
                    ImGui::GetColorU32(chosen ? palette::accent_bright : palette::text));
     if (hovered) tooltip_for_item(tool_tooltip(*entry.face).c_str());
-}
-
-// A slider without a label column: its number says what it is.
-bool bar(const SliderSpec& spec, float width, double& value) {
-    ImGui::SetNextItemWidth(width);
-    return slider_field(spec, spec.label, value, false);
-}
-
-bool percent(const char* name, const char* format, const char* text, float width, double reset,
-             double& part) {
-    double hundredths = part * 100;
-    const SliderSpec spec{.label = name,
-                          .low = 0,
-                          .high = 100,
-                          .least = 0,
-                          .most = 100,
-                          .reset = reset * 100,
-                          .format = format,
-                          .logarithmic = false,
-                          .tooltip = text};
-    if (!bar(spec, width, hundredths)) return false;
-    part = hundredths / 100;
-    return true;
-}
-
-struct WholeRange {
-    int least, most, reset;
-};
-
-void whole_number(const char* name, const char* format, const WholeRange& range, float width,
-                  const char* text, int& number) {
-    double value = number;
-    const SliderSpec spec{.label = name,
-                          .low = double(range.least),
-                          .high = double(range.most),
-                          .least = double(range.least),
-                          .most = double(range.most),
-                          .reset = double(range.reset),
-                          .format = format,
-                          .logarithmic = false,
-                          .tooltip = text,
-                          .whole = true};
-    if (bar(spec, width, value)) number = static_cast<int>(std::lround(value));
-}
-
-void choice(const char* name, int& index, const std::vector<std::string>& names, float width,
-            const char* text) {
-    ImGui::SetNextItemWidth(width);
-    const bool open = ImGui::BeginCombo(("##" + std::string(name)).c_str(),
-                                        as_label(names[static_cast<std::size_t>(index)]).c_str());
-    note_item(name);
-    tooltip_for_item(text);
-    if (!open) return;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string label = as_label(names[i]);
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(label.c_str(), static_cast<int>(i) == index)) index = static_cast<int>(i);
-        ImGui::PopID();
-        note_item(std::string(name) + " " + label);
-    }
-    ImGui::EndCombo();
 }
 
 float scale_width() { return button_width(density_scales[2].label) + ImGui::GetFrameHeight(); }
@@ -282,6 +223,8 @@ void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distri
         brush_row(state, *tool, mean, distribution);
     else if (selects_with(state.tool))
         selection_row(state);
+    else if (state.tool == CanvasTool::transform)
+        transform_row(state, distribution);
     else
         handles_row(state, mean, distribution);
 }

@@ -29,6 +29,19 @@ constexpr ToolFace grab_face{
         pen.line({{0.76f, 0.40f}, {0.87f, 0.5f}, {0.76f, 0.60f}});
     }};
 
+constexpr ToolFace transform_face{
+    .name = "Transform",
+    .key = 'C',
+    .about = "Carries, turns and stretches what is selected, or all paint.",
+    .more =
+        "By a box of handles, combined as the list says. Enter or a click outside applies, Escape takes it "
+        "back.",
+    .icon = [](const IconPen& pen) {
+        pen.line({{0.24f, 0.24f}, {0.76f, 0.24f}, {0.76f, 0.76f}, {0.24f, 0.76f}}, true);
+        for (const float x : {0.24f, 0.76f})
+            for (const float y : {0.24f, 0.76f}) pen.disc({x, y}, 0.10f);
+    }};
+
 constexpr ToolEntry tools[] = {
     {CanvasTool::handles, &handles_face},
     {CanvasTool::grab, &grab_face},
@@ -38,6 +51,7 @@ constexpr ToolEntry tools[] = {
 #define SELECT(name) {CanvasTool::select_##name, &select_##name##_tool.face, {}, SelectTool::name},
 #include "core/paint/select_list.inc"
 #undef SELECT
+    {CanvasTool::transform, &transform_face},
 };
 
 }  // namespace

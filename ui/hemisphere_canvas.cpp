@@ -15,6 +15,7 @@
 #include "ui/canvas_select.h"
 #include "ui/canvas_toolbar.h"
 #include "ui/canvas_tools.h"
+#include "ui/canvas_transform.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -62,6 +63,8 @@ BrushSurface surface_of(const CanvasFrame& frame) {
 // Returns whether the pointer is the tool's.
 bool work_on_canvas(CanvasState& state, const CanvasFrame& frame, const CanvasSight& sight,
                     Distribution& distribution, std::size_t& chosen) {
+    if (state.tool == CanvasTool::transform) return transform_paint(state, frame, distribution, chosen);
+    apply_transform(state);
     if (state.tool == CanvasTool::handles) return handle_layers(state, frame, distribution, chosen);
     if (selects_with(state.tool)) return select_area(state, frame);
     return use_tool(state, surface_of(frame), sight.p, distribution, chosen);
@@ -146,6 +149,18 @@ void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasCont
     text_at({bar + width + size * 0.5f, top}, most, palette::text_dim);
 }
 
+// Says what the tools paint while that is not the layer itself.
+void draw_mask_label(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    if (!contents.design || part_in_hand(state, *contents.design, contents.chosen) != LayerPart::mask) return;
+    const float scale = ImGui::GetFontSize() / 15, border = 8 * scale;
+    const std::string text = fmt::format("Mask of layer {}: what is veiled is hidden", contents.chosen + 1);
+    const ImVec2 low(frame.low.x + border, frame.low.y + border), size = ImGui::CalcTextSize(text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + size.x + 2 * border, low.y + size.y + border},
+                       ImGui::GetColorU32(palette::accent_dim), ImGui::GetStyle().FrameRounding);
+    text_at({low.x + border, low.y + 0.5f * border}, text, palette::text);
+}
+
 }  // namespace
 
 ImVec2 CanvasFrame::screen(dvec3 h) const {
@@ -204,6 +219,8 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
         draw_handles(state, frame, *contents.design, contents.chosen);
     else if (contents.design)
         draw_brush(state, frame, contents);
+    draw_transform(state, frame);
+    draw_mask_label(state, frame, contents);
     if (contents.marked) draw_mark(frame, *contents.marked);
     list._FringeScale = 1;
     list.PopClipRect();

@@ -18,6 +18,7 @@
 #include "core/paint/selection.h"
 #include "core/paint/stamps.h"
 #include "core/paint/stroke.h"
+#include "core/paint/transform.h"
 
 namespace nacre::ui {
 
@@ -43,6 +44,7 @@ enum class CanvasTool {
 #define SELECT(name) select_##name,
 #include "core/paint/select_list.inc"
 #undef SELECT
+    transform
 };
 
 // Where a drag has begun and therefore stays.
@@ -81,6 +83,35 @@ struct HeldSelection {
     SelectMode mode;
 };
 
+// What a box of handles stands about.
+struct TransformSubject {
+    std::size_t layer = 0;
+    LayerPart part = LayerPart::lobe;
+    std::shared_ptr<const Raster> raster = {};  // null: nothing
+    std::shared_ptr<const Selection> selection = {};
+    glm::dmat3 frame{1};  // of the layer
+
+    bool operator==(const TransformSubject&) const = default;
+};
+
+// Where a box is held.
+struct TransformGrip {
+    enum class Kind { move, pull, turn } kind;
+    dvec2 handle;  // of the box, where it is pulled
+    DiskBox before;
+    dvec2 from;  // of the press, on the surface's disk
+};
+
+struct HeldTransform {
+    TransformSubject subject;  // as it is shown
+    Transform transform;
+    DiskBox box;
+    Blend blend = Blend::replace;
+    std::optional<LayerPaint> paint = {};     // from the first drag on
+    std::optional<Distribution> origin = {};  // before it
+    std::optional<TransformGrip> grip = {};
+};
+
 struct StrokeEnd {
     std::size_t layer;
     dvec3 at;  // normal, in the surface's frame
@@ -111,6 +142,7 @@ struct CanvasState {
     std::optional<SizedBrush> sized;
     std::shared_ptr<const Selection> selection;  // that the tools keep to; null: all
     std::optional<HeldSelection> selecting;
+    std::optional<HeldTransform> transform;
     bool paints_mask = false;  // where the chosen layer has one, the tools work on its mask
     std::optional<StrokeEnd> last_stroke;
     double steadiness = 0;  // pixels that the brush hangs behind the pointer, as on a string

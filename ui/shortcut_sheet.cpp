@@ -72,13 +72,19 @@ void draw_group(const SheetGroup& shown) {
 
 std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
     std::vector<SheetGroup> groups;
-    for (const CommandInfo* info : commands)
-        if (info->keys != nullptr) group(groups, info->menu).lines.push_back({keys_text(*info), info->about});
+    // What concerns the canvas stands after what concerns the document.
+    const auto add_commands = [&](bool selecting) {
+        for (const CommandInfo* info : commands)
+            if (info->keys != nullptr && (std::string_view(info->menu) == "Select") == selecting)
+                group(groups, info->menu).lines.push_back({keys_text(*info), info->about});
+    };
+    add_commands(false);
     for (const ToolEntry& entry : canvas_tools())
         group(groups, "Tools")
             .lines.push_back(
                 {std::string(1, entry.face->key), std::string(entry.face->name) + ". " + entry.face->about});
     groups.push_back(mouse_group());
+    add_commands(true);
     return groups;
 }
 

@@ -119,7 +119,7 @@ void make_frame(Designer& designer) {
     frame.p = designer.live.of(frame.design.distribution);
     frame.revision = designer.live.revision();
     // The bake runs meanwhile.
-    designer.canvas.update(frame);
+    designer.canvas.update(frame, designer.layers.chosen);
     const auto longest = designer.preview.has_picture() ? patience : first_patience;
     if (auto tables = designer.baker.poll(longest)) frame.tables = std::move(tables);
 }

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "core/image/raster.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/hemisphere_view.h"
 
@@ -47,8 +48,13 @@ struct DensityPicture {
     std::vector<std::uint8_t> rgba;  // rows from the top, straight alpha, transparent beside the hemisphere
 };
 
-// p under each pixel's middle; `divisor` times fewer pixels each way than the view has.
-DensityPicture density_picture(const FacetDistribution& p, const HemisphereView& view,
+// p under each pixel's middle; `divisor` times fewer pixels each way than the view has. A null p is 0 all
+// over.
+DensityPicture density_picture(const FacetDistribution* p, const HemisphereView& view,
                                const DensityScale& scale, int divisor);
+
+// Lays the colour of a veil over what a layer's mask hides, as far as it does.
+void veil_what_is_hidden(DensityPicture& picture, const HemisphereView& view, int divisor, const Raster& mask,
+                         const glm::dmat3& layer_frame);
 
 }  // namespace nacre

@@ -41,14 +41,18 @@ Modulation in_paint(const Modulation& given) {
 
 }  // namespace
 
-bool has_part(const Layer& layer, LayerPart part) {
-    return part == LayerPart::mask ? layer.modulation.has_value()
-                                   : std::holds_alternative<PaintedLobe>(layer.lobe);
+Picture* part_picture(Layer& layer, LayerPart part) {
+    if (part == LayerPart::mask) return layer.modulation ? &layer.modulation->image : nullptr;
+    auto* const painted = std::get_if<PaintedLobe>(&layer.lobe);
+    return painted != nullptr ? &painted->image : nullptr;
+}
+
+const Picture* part_picture(const Layer& layer, LayerPart part) {
+    return part_picture(const_cast<Layer&>(layer), part);
 }
 
 std::shared_ptr<const Raster> part_raster(const Layer& layer, LayerPart part) {
-    return part == LayerPart::mask ? paintable(layer.modulation->image.raster)
-                                   : paintable(std::get<PaintedLobe>(layer.lobe));
+    return paintable(part_picture(layer, part)->raster);
 }
 
 Modulation open_mask() {
@@ -65,9 +69,8 @@ LayerPaint::LayerPaint(std::size_t layer, LayerPart part, const Layer& given)
         raster_ = before_.modulation->image.raster;
         facets_ = facets_under(before_, raster_->width);
     } else {
-        auto& lobe = std::get<PaintedLobe>(before_.lobe);
-        raster_ = paintable(lobe);
-        lobe.image = {{}, raster_};
+        raster_ = part_raster(given, part);
+        *part_picture(before_, part) = {{}, raster_};
     }
     mass_ = mass(*raster_);
     if (mass_ > 0) before_.enabled = true;
@@ -113,10 +116,7 @@ double LayerPaint::mass_max() const {
 Layer LayerPaint::with(std::shared_ptr<const Raster> raster) const {
     Layer layer = before_;
     const double after = mass(*raster);
-    if (part_ == LayerPart::mask)
-        layer.modulation->image = {{}, std::move(raster)};
-    else
-        std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
+    *part_picture(layer, part_) = {{}, std::move(raster)};
     weigh_by_paint(layer, mass_, after, first_weight_);
     return layer;
 }

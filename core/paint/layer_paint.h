@@ -11,8 +11,10 @@ namespace nacre {
 
 enum class LayerPart { lobe, mask };
 
-// Whether a layer has it: a painted lobe, or a modulation.
-bool has_part(const Layer& layer, LayerPart part);
+// A painted lobe's picture, or a modulation's; null where the layer has none.
+Picture* part_picture(Layer& layer, LayerPart part);
+const Picture* part_picture(const Layer& layer, LayerPart part);
+inline bool has_part(const Layer& layer, LayerPart part) { return part_picture(layer, part) != nullptr; }
 
 // Its picture as the tools read it (see paintable()); the layer has the part.
 std::shared_ptr<const Raster> part_raster(const Layer& layer, LayerPart part);

@@ -90,6 +90,13 @@ std::shared_ptr<const Selection> inverted(const Selection& selection) {
         [&](std::size_t index, dvec2) { return 1 - static_cast<double>(selection.amounts_[index]); }));
 }
 
+std::shared_ptr<const Selection> carried(const Selection& selection, const DiskBox& from, const DiskBox& to) {
+    return made(amounts_of([&](std::size_t, dvec2 at) {
+        const dvec2 source = from.at(to.own(at));
+        return glm::dot(source, source) < radius * radius ? selection(disk_direction(source)) : 0;
+    }));
+}
+
 std::shared_ptr<const Selection> select_all() {
     return made(amounts_of([](std::size_t, dvec2) { return 1.0; }));
 }

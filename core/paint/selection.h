@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/lobe_model.h"
+#include "core/paint/disk_box.h"
 #include "core/paint/hemisphere_view.h"
 
 namespace nacre {
@@ -45,5 +46,8 @@ std::shared_ptr<const Selection> select(const Selection* before, SelectMode mode
                                         std::span<const dvec2> outline);
 std::shared_ptr<const Selection> inverted(const Selection& selection);
 std::shared_ptr<const Selection> select_all();
+
+// Carried from one box of the disk to another.
+std::shared_ptr<const Selection> carried(const Selection& selection, const DiskBox& from, const DiskBox& to);
 
 }  // namespace nacre

@@ -1,6 +1,8 @@
 // Painting as by hand, and what has come of it.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <string>
 
 #include "core/model/polar_angles.h"
@@ -15,9 +17,9 @@ struct CanvasRig : Rig {
     using Rig::Rig;
 
     const Raster& raster(std::size_t layer, LayerPart part = LayerPart::lobe) {
-        const Layer& at = layers().at(layer);
-        return part == LayerPart::mask ? *at.modulation.value().image.raster
-                                       : *std::get<PaintedLobe>(at.lobe).image.raster;
+        const Picture* const picture = part_picture(layers().at(layer), part);
+        REQUIRE(picture != nullptr);
+        return *picture->raster;
     }
     double value(std::size_t layer, dvec3 h, LayerPart part = LayerPart::lobe) {
         const Raster& values = raster(layer, part);
