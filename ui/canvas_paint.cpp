@@ -27,6 +27,9 @@ std::shared_ptr<const TexelShares> selected_texels(const CanvasState& state, con
 // `from` is a normal in the surface's frame.
 void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surface, dvec3 from,
                   Distribution& distribution, std::size_t& chosen) {
+    // A press beside what is selected covers nothing: no layer begins for it.
+    const bool is_area = std::holds_alternative<AreaTool>(info(tool).work);
+    if (is_area && state.selection && !((*state.selection)(from) > 0)) return;
     auto paint = LayerPaint::open(distribution, chosen, part_in_hand(state, distribution, chosen));
     if (!paint) return;
     StrokeStyle style{.tool = tool,

@@ -110,6 +110,15 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("selection: a fill beside it begins no layer") {
+    CanvasRig r;
+    r.play(right_half + "key F\nframes 30\nclick \"Canvas\":@40,180\nframes 3");
+    CHECK(r.layers().size() == 1);
+    CHECK(!r.document().history.can_undo());
+    r.play("click \"Canvas\":@40,0\nframes 3");
+    CHECK(r.layers().size() == 2);
+}
+
 TEST_CASE("selection: its rim is one texel wide; what is selected is filled and cleared in one step each") {
     CanvasRig r;
     r.play(right_half + "click \"New painted layer\"\nframes 30");
