@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/paint/layer_paint.h"
 #include "core/paint/painted_layer.h"
 #include "core/paint/tip.h"
 #include "ui/canvas_path.h"
@@ -22,9 +23,10 @@ constexpr Colour ghost{1, 1, 1, 0.6f};
 constexpr Colour ghost_of_copy{1, 1, 1, 0.25f};
 
 // The layer that the next stroke will paint on.
-Layer painted_or_new(const Distribution& distribution, std::size_t chosen) {
+Layer painted_or_new(const CanvasState& state, const Distribution& distribution, std::size_t chosen) {
     const auto& layers = distribution.layers;
-    const bool painted = chosen < layers.size() && std::holds_alternative<PaintedLobe>(layers[chosen].lobe);
+    const bool painted =
+        chosen < layers.size() && has_part(layers[chosen], part_in_hand(state, distribution, chosen));
     return painted ? layers[chosen] : Layer{};
 }
 
@@ -80,6 +82,26 @@ void draw_ghost(const CanvasFrame& frame, const glm::dmat3& to, const Tip& tip, 
     draw_stamp(thumbnail, place, strong ? ghost : ghost_of_copy);
 }
 
+// Where a tool without a width points, and the way that it is drawn out along.
+void draw_point(const CanvasFrame& frame, dvec3 at, bool strong) {
+    if (frame.view.hidden(at)) return;
+    const ImVec2 middle = frame.screen(at);
+    const float scale = ImGui::GetFontSize() / 15;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCircle(middle, 4 * scale, IM_COL32(0, 0, 0, 150), 0, 3.2f * scale);
+    list.AddCircle(middle, 4 * scale, ImGui::GetColorU32(Colour{1, 1, 1, strong ? 0.95f : 0.4f}), 0,
+                   1.4f * scale);
+}
+
+void draw_way(const CanvasFrame& frame, const HeldBrush& held) {
+    const dvec3 from = held.begin, to = held.end;
+    const auto at = [&](double t) { return glm::normalize(from + (to - from) * t); };
+    const float scale = ImGui::GetFontSize() / 15;
+    draw_path(frame, at, footprint_steps, IM_COL32(0, 0, 0, 150), 3.2f * scale);
+    draw_path(frame, at, footprint_steps, ImGui::GetColorU32(Colour{1, 1, 1, 0.95f}), 1.4f * scale);
+    draw_point(frame, from, true);
+}
+
 }  // namespace
 
 void draw_brush(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
@@ -88,11 +110,13 @@ void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Canvas
     if (!at || !tool) return;
     const PaintToolInfo& kind = info(*tool);
     const auto* dabs = std::get_if<DabTool>(&kind.work);
-    const Layer layer = painted_or_new(*contents.design, contents.chosen);
+    const Layer layer = painted_or_new(state, *contents.design, contents.chosen);
     const glm::dmat3 place = layer_frame(layer);
     const dvec3 pointed = glm::transpose(place) * *at;
     if (pointed.z < deepest) return;
     const dvec3 middle = above_horizon(pointed);
+    const bool wide = is_as_wide_as_brush(kind);
+    if (!wide && state.held) draw_way(frame, *state.held);
     const double radius = state.brush.radius * radians;
     if (state.symmetry.kind == SymmetryKind::ring && dabs != nullptr && dabs->follows_way)
         draw_ring(frame, place, angle_between({0, 0, 1}, middle), radius);
@@ -103,6 +127,10 @@ void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Canvas
         const bool first = i == 0;
         if (stamp) {
             draw_ghost(frame, to, tip_of(*stamp, state, layer, middle), *stamp->thumbnail, first);
+            continue;
+        }
+        if (!wide) {
+            draw_point(frame, to * middle, first);
             continue;
         }
         outline(
@@ -116,8 +144,9 @@ void draw_brush(const CanvasState& state, const CanvasFrame& frame, const Canvas
 
 std::function<double(dvec3 h)> brush_veil(const CanvasState& state, const Distribution& distribution,
                                           std::size_t chosen, dvec3 at) {
-    if (!paints_with(state.tool)) return {};
-    const Layer layer = painted_or_new(distribution, chosen);
+    const auto tool = paints_with(state.tool);
+    if (!tool || !is_as_wide_as_brush(info(*tool))) return {};
+    const Layer layer = painted_or_new(state, distribution, chosen);
     const glm::dmat3 place = layer_frame(layer);
     if (const NamedStamp* const stamp = stamp_in_hand(state)) {
         const dvec3 middle = above_horizon(glm::transpose(place) * at);

@@ -14,49 +14,48 @@ namespace nacre::ui {
 namespace {
 
 constexpr double pixels_a_step = 2;    // of the way on the screen, so that a quick stroke stays as straight
-constexpr double first_share = 0.5;    // weight of a blank layer's first paint, of the other layers'
 constexpr double pixels_a_fold = 110;  // of a drag with Shift that makes the brush e times larger
 constexpr double click_pixels = 3;     // a shorter drag is a click
 
-bool is_painted(const Distribution& distribution, std::size_t index) {
-    return index < distribution.layers.size() &&
-           std::holds_alternative<PaintedLobe>(distribution.layers[index].lobe);
-}
-
 dvec3 in_layer(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(layer)) * h; }
+
+std::shared_ptr<const TexelShares> selected_texels(const CanvasState& state, const LayerPaint& paint) {
+    if (!state.selection) return nullptr;
+    return state.selection->texels(layer_frame(paint.before()), paint.raster()->width);
+}
 
 // `from` is a normal in the surface's frame.
 void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surface, dvec3 from,
                   Distribution& distribution, std::size_t& chosen) {
-    if (!is_painted(distribution, chosen)) add_painted_layer(distribution, chosen);
-    if (!is_painted(distribution, chosen)) return;
-    Layer& layer = distribution.layers[chosen];
-    auto& lobe = std::get<PaintedLobe>(layer.lobe);
-    lobe.image = {{}, paintable(lobe)};
-    const Raster& raster = *lobe.image.raster;
-    const double mass = raster_mass(raster);
-    if (mass > 0) layer.enabled = true;
-    make_room_for_paint(distribution, chosen, mass);
-    const double others = weight_of_others(distribution, chosen);
-    StrokeStyle style{
-        .tool = tool, .brush = state.brush, .symmetry = state.symmetry, .tip = {}, .rays = state.rays};
-    const dvec3 at = in_layer(layer, from);
+    // A press beside what is selected covers nothing: no layer begins for it.
+    const bool is_area = std::holds_alternative<AreaTool>(info(tool).work);
+    if (is_area && state.selection && !((*state.selection)(from) > 0)) return;
+    auto paint = LayerPaint::open(distribution, chosen, part_in_hand(state, distribution, chosen));
+    if (!paint) return;
+    StrokeStyle style{.tool = tool,
+                      .brush = state.brush,
+                      .symmetry = state.symmetry,
+                      .tip = {},
+                      .rays = state.rays,
+                      .form = state.form,
+                      .tolerance = state.tolerance,
+                      .selected = selected_texels(state, *paint)};
+    const dvec3 at = in_layer(paint->before(), from);
     if (state.stamp < state.stamps.size()) {
         style.tip = state.stamps[state.stamp].picture;
-        style.to_tip = stamp_from_layer(layer, above_horizon(at), state.pose);
+        style.to_tip = stamp_from_layer(paint->before(), above_horizon(at), state.pose);
     }
-    state.held = HeldBrush{.layer = chosen,
-                           .before = layer,
-                           .mass = mass,
-                           .first_weight = others > 0 ? first_share * others : 1,
+    const Raster& raster = *paint->raster();
+    state.held = HeldBrush{.paint = *std::move(paint),
                            .stroke = {raster, std::move(style), at},
                            .pixel = surface.pixel,
+                           .begin = from,
                            .end = from,
                            .surface = surface.surface};
 }
 
 void go_to(HeldBrush& held, dvec3 h) {
-    held.stroke.move_to(in_layer(held.before, h));
+    held.stroke.move_to(in_layer(held.paint.before(), h));
     held.end = h;
 }
 
@@ -74,14 +73,13 @@ void follow(const BrushSurface& surface, HeldBrush& held, double string) {
 
 void show_stroke(HeldBrush& held, Distribution& distribution) {
     auto raster = held.stroke.raster();
-    Layer& layer = distribution.layers[held.layer];
-    if (std::get<PaintedLobe>(layer.lobe).image.raster == raster) return;
-    layer = held.before;
-    set_raster(layer, std::move(raster), held.mass, held.first_weight);
+    Layer& layer = distribution.layers[held.paint.layer()];
+    if (part_picture(layer, held.paint.part())->raster == raster) return;
+    layer = held.paint.with(std::move(raster));
 }
 
 void end_stroke(CanvasState& state) {
-    state.last_stroke = StrokeEnd{state.held->layer, state.held->end};
+    state.last_stroke = StrokeEnd{state.held->paint.layer(), state.held->end};
     state.held.reset();
 }
 
@@ -129,12 +127,12 @@ bool size_brush(CanvasState& state, PaintTool tool, const BrushSurface& surface,
     return true;
 }
 
-// Of the chosen layer, if it is painted, else p over its peak.
-double value_at(const Distribution& distribution, std::size_t chosen, const FacetDistribution* seen,
-                dvec3 h) {
-    if (is_painted(distribution, chosen)) {
+// Of the chosen layer's mask or of its paint, if it has any, else p over its peak.
+double value_at(const Distribution& distribution, std::size_t chosen, LayerPart part,
+                const FacetDistribution* seen, dvec3 h) {
+    if (chosen < distribution.layers.size() && has_part(distribution.layers[chosen], part)) {
         const Layer& layer = distribution.layers[chosen];
-        const Raster& raster = *paintable(std::get<PaintedLobe>(layer.lobe));
+        const Raster& raster = *part_raster(layer, part);
         return raster_value(raster.values, raster.width, disk_point(above_horizon(in_layer(layer, h))));
     }
     const double peak = seen != nullptr ? peak_density(*seen) : 0;
@@ -145,28 +143,32 @@ bool picks() { return ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyAlt; }
 
 }  // namespace
 
-void add_painted_layer(Distribution& distribution, std::size_t& chosen) {
-    auto& layers = distribution.layers;
-    if (layers.size() >= limits::layers_max) return;
-    const std::size_t at = std::min(chosen + 1, layers.size());
-    layers.insert(layers.begin() + static_cast<std::ptrdiff_t>(at), blank_painted_layer());
-    chosen = at;
+void paint_selection(const CanvasState& state, const Brush& brush, Distribution& distribution,
+                     std::size_t& chosen) {
+    if (!state.selection) return;
+    const auto paint = LayerPaint::open(distribution, chosen, part_in_hand(state, distribution, chosen));
+    if (!paint) return;
+    distribution.layers[chosen] =
+        paint->with(painted_over(*paint->raster(), *selected_texels(state, *paint), brush));
 }
 
 bool paint_layers(CanvasState& state, const BrushSurface& surface, const FacetDistribution* seen,
                   Distribution& distribution, std::size_t& chosen) {
     const auto tool = paints_with(state.tool);
-    if (tool && size_brush(state, *tool, surface, distribution, chosen)) return true;
+    const bool has_size = tool && is_as_wide_as_brush(info(*tool));
+    if (has_size && size_brush(state, *tool, surface, distribution, chosen)) return true;
     const bool pointing = surface.hovered && surface.pointed_at;
     if (pointing && tool && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         if (picks())
             state.brush.value =
-                std::clamp(value_at(distribution, chosen, seen, *surface.pointed_at), 0.0, 1.0);
+                std::clamp(value_at(distribution, chosen, part_in_hand(state, distribution, chosen), seen,
+                                    *surface.pointed_at),
+                           0.0, 1.0);
         else
             begin_stroke(state, *tool, surface, *surface.pointed_at, distribution, chosen);
     }
     if (!state.held || state.held->surface != surface.surface) return pointing;
-    if (is_cancelled(surface) || !is_painted(distribution, state.held->layer)) {
+    if (is_cancelled(surface) || !state.held->paint.stands_in(distribution)) {
         state.held.reset();
         return true;
     }

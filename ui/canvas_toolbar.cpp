@@ -9,13 +9,15 @@
 
 #include "ui/balance_buttons.h"
 #include "ui/brush_settings.h"
-#include "ui/canvas_paint.h"
+#include "ui/canvas_select.h"
 #include "ui/canvas_tools.h"
+#include "ui/canvas_transform.h"
 #include "ui/item_map.h"
 #include "ui/keys.h"
 #include "ui/slider_bar.h"
 #include "ui/stamp_row.h"
 #include "ui/theme.h"
+#include "ui/toolbar_fields.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -42,72 +44,20 @@ void tool_button(CanvasState& state, const ToolEntry& entry) {
     if (hovered) tooltip_for_item(tool_tooltip(*entry.face).c_str());
 }
 
-// A slider without a label column: its number says what it is.
-bool bar(const SliderSpec& spec, float width, double& value) {
-    ImGui::SetNextItemWidth(width);
-    return slider_field(spec, spec.label, value, false);
-}
-
-bool percent(const char* name, const char* format, const char* text, float width, double reset,
-             double& part) {
-    double hundredths = part * 100;
-    const SliderSpec spec{.label = name,
-                          .low = 0,
-                          .high = 100,
-                          .least = 0,
-                          .most = 100,
-                          .reset = reset * 100,
-                          .format = format,
-                          .logarithmic = false,
-                          .tooltip = text};
-    if (!bar(spec, width, hundredths)) return false;
-    part = hundredths / 100;
-    return true;
-}
-
-struct WholeRange {
-    int least, most, reset;
-};
-
-void whole_number(const char* name, const char* format, const WholeRange& range, float width,
-                  const char* text, int& number) {
-    double value = number;
-    const SliderSpec spec{.label = name,
-                          .low = double(range.least),
-                          .high = double(range.most),
-                          .least = double(range.least),
-                          .most = double(range.most),
-                          .reset = double(range.reset),
-                          .format = format,
-                          .logarithmic = false,
-                          .tooltip = text,
-                          .whole = true};
-    if (bar(spec, width, value)) number = static_cast<int>(std::lround(value));
-}
-
-void choice(const char* name, int& index, const std::vector<std::string>& names, float width,
-            const char* text) {
-    ImGui::SetNextItemWidth(width);
-    const bool open = ImGui::BeginCombo(("##" + std::string(name)).c_str(),
-                                        as_label(names[static_cast<std::size_t>(index)]).c_str());
-    note_item(name);
-    tooltip_for_item(text);
-    if (!open) return;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string label = as_label(names[i]);
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(label.c_str(), static_cast<int>(i) == index)) index = static_cast<int>(i);
-        ImGui::PopID();
-        note_item(std::string(name) + " " + label);
-    }
-    ImGui::EndCombo();
-}
-
 float scale_width() { return button_width(density_scales[2].label) + ImGui::GetFrameHeight(); }
 
 // The middle of the row: what this tool needs.
 void tool_number(CanvasState& state, ToolNeed need, float width) {
-    if (need == ToolNeed::picture) {
+    if (need == ToolNeed::tolerance) {
+        percent("Tolerance", "tolerance %.0f %%",
+                "How much values may differ from the one that is pointed at and still be filled with it.",
+                width, usual_tolerance, state.tolerance);
+    } else if (need == ToolNeed::form) {
+        int form = static_cast<int>(state.form);
+        choice("Gradient form", form, {"Linear", "Radial"}, width,
+               "Linear: across the drag. Radial: around the press.");
+        state.form = static_cast<GradientForm>(form);
+    } else if (need == ToolNeed::picture) {
         stamp_row(state, width, ImGui::GetStyle().ItemInnerSpacing.x);
     } else if (need == ToolNeed::rays) {
         whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, width, "How many rays the star has.",
@@ -126,13 +76,8 @@ float number_width(float others) {
     return std::clamp(room / 3, size * 4.4f, size * 6.2f);
 }
 
-void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& mean,
-               Distribution& distribution) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
-    const bool turned = state.symmetry.kind == SymmetryKind::turns;
-    const float menu = button_width("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
-    const float settings = button_width(brush_settings_text);
-    const float width = number_width(menu + settings + 4 * gap + (turned ? turns + gap : 0));
+// What a tool needs that is as wide as the brush.
+void dab_numbers(CanvasState& state, ToolNeed need, float width, float gap) {
     bar({.label = "Brush radius",
          .low = brush_radius_min,
          .high = brush_radius_max,
@@ -146,11 +91,37 @@ void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& m
                     "comma and point, change it."},
         width, state.brush.radius);
     stay_on_line(width, gap);
-    tool_number(state, info(tool).needs, width);
+    tool_number(state, need, width);
     stay_on_line(width, gap);
     percent("Flow", "flow %.0f %%",
             "How much one touch of the brush does: low flow builds up stroke by stroke.", width, Brush{}.flow,
             state.brush.flow);
+}
+
+// What one needs that covers an area at once.
+void area_numbers(CanvasState& state, ToolNeed need, float width, float gap) {
+    tool_number(state, need, width);
+    stay_on_line(width, gap);
+    percent("Paint value", "value %.0f %%", "How much is painted, of full paint: the brush's value.", width,
+            Brush{}.value, state.brush.value);
+    stay_on_line(width, gap);
+    percent("Paint opacity", "opacity %.0f %%", "How much of its full effect it has: the brush's opacity.",
+            width, Brush{}.opacity, state.brush.opacity);
+}
+
+void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& mean,
+               Distribution& distribution) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, size = ImGui::GetFontSize();
+    const bool turned = state.symmetry.kind == SymmetryKind::turns;
+    const float menu = button_width("No symmetry") + ImGui::GetFrameHeight(), turns = size * 2.6f;
+    const float settings = button_width(brush_settings_text);
+    const bool wide = is_as_wide_as_brush(info(tool));
+    // What stands beside the numbers of an area goes to the next line.
+    const float width = number_width(wide ? menu + settings + 4 * gap + (turned ? turns + gap : 0) : 2 * gap);
+    if (wide)
+        dab_numbers(state, info(tool).needs, width, gap);
+    else
+        area_numbers(state, info(tool).needs, width, gap);
     stay_on_line(menu, gap);
     int kind = static_cast<int>(state.symmetry.kind);
     choice("Symmetry", kind, {std::begin(symmetries), std::end(symmetries)}, menu,
@@ -181,6 +152,20 @@ void handles_row(CanvasState& state, const std::optional<dvec3>& mean, Distribut
     ImGui::TextWrapped("%s", state.tool == CanvasTool::grab ? "Drag a highlight, here or on the sphere."
                                                             : "Drag a lobe's middle, ends or outline.");
     ImGui::PopStyleColor();
+}
+
+// Where they do not fit on one line, whole groups go to the next.
+void tool_buttons(CanvasState& state) {
+    const auto tools = canvas_tools();
+    const float side = ImGui::GetFrameHeight(), gap = scaled(2);
+    for (auto entry = tools.begin(); entry != tools.end(); ++entry) {
+        const bool begins = entry->face->begins_group;
+        const auto next = std::find_if(entry + 1, tools.end(),
+                                       [](const ToolEntry& later) { return later.face->begins_group; });
+        const float rest = static_cast<float>(next - entry) * (side + gap) - gap;
+        if (entry != tools.begin()) stay_on_line(begins ? rest : side, begins ? scaled(8) : gap);
+        tool_button(state, *entry);
+    }
 }
 
 void take_keys(CanvasState& state) {
@@ -227,12 +212,7 @@ void resize_brush(CanvasState& state, int steps) {
 void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distribution& distribution,
                     std::size_t& chosen) {
     take_keys(state);
-    bool first = true;
-    for (const ToolEntry& entry : canvas_tools()) {
-        if (!first) stay_on_line(ImGui::GetFrameHeight(), scaled(entry.face->begins_group ? 8.0f : 2.0f));
-        first = false;
-        tool_button(state, entry);
-    }
+    tool_buttons(state);
     stay_on_line(button_width("+"), ImGui::GetStyle().ItemSpacing.x);
     if (button("+##New painted layer", "A new layer to paint on, with nothing on it yet.",
                distribution.layers.size() < limits::layers_max)) {
@@ -241,6 +221,10 @@ void canvas_toolbar(CanvasState& state, const std::optional<dvec3>& mean, Distri
     }
     if (const auto tool = paints_with(state.tool))
         brush_row(state, *tool, mean, distribution);
+    else if (selects_with(state.tool))
+        selection_row(state);
+    else if (state.tool == CanvasTool::transform)
+        transform_row(state, distribution);
     else
         handles_row(state, mean, distribution);
 }

@@ -33,12 +33,29 @@ constexpr ToolFace grab_face{
         pen.line({{0.76f, 0.40f}, {0.87f, 0.5f}, {0.76f, 0.60f}});
     }};
 
+constexpr ToolFace transform_face{
+    .name = "Transform",
+    .key = 'C',
+    .about = "Carries, turns and stretches what is selected, or all paint.",
+    .more =
+        "By a box of handles, combined as the list says. Enter or a click outside applies, Escape takes it "
+        "back.",
+    .icon = [](const IconPen& pen) {
+        pen.line({{0.24f, 0.24f}, {0.76f, 0.24f}, {0.76f, 0.76f}, {0.24f, 0.76f}}, true);
+        for (const float x : {0.24f, 0.76f})
+            for (const float y : {0.24f, 0.76f}) pen.disc({x, y}, 0.10f);
+    }};
+
 constexpr ToolEntry tools[] = {
-    {CanvasTool::handles, &handles_face, {}},
-    {CanvasTool::grab, &grab_face, {}},
+    {CanvasTool::handles, &handles_face},
+    {CanvasTool::grab, &grab_face},
 #define TOOL(name) {CanvasTool::name, &name##_tool.face, PaintTool::name},
 #include "core/paint/tool_list.inc"
 #undef TOOL
+#define SELECT(name) {CanvasTool::select_##name, &select_##name##_tool.face, {}, SelectTool::name},
+#include "core/paint/select_list.inc"
+#undef SELECT
+    {CanvasTool::transform, &transform_face},
 };
 
 }  // namespace
@@ -55,5 +72,17 @@ void name_edit_by_tool(CanvasTool tool) {
 }
 
 std::optional<PaintTool> paints_with(CanvasTool tool) { return tools[static_cast<std::size_t>(tool)].paints; }
+
+std::optional<SelectTool> selects_with(CanvasTool tool) {
+    return tools[static_cast<std::size_t>(tool)].selects;
+}
+
+bool works_on_object(CanvasTool tool) { return tool == CanvasTool::grab || paints_with(tool); }
+
+LayerPart part_in_hand(const CanvasState& state, const Distribution& distribution, std::size_t chosen) {
+    const auto& layers = distribution.layers;
+    const bool masked = chosen < layers.size() && has_part(layers[chosen], LayerPart::mask);
+    return state.paints_mask && masked ? LayerPart::mask : LayerPart::lobe;
+}
 
 }  // namespace nacre::ui

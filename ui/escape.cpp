@@ -31,6 +31,7 @@ bool take_escape_of_drag() {
 bool drag_taken_back() { return taken_back == ImGui::GetFrameCount(); }
 
 void close_popup_by_escape() {
+    taken_back = -1;
     ImGuiContext& context = *ImGui::GetCurrentContext();
     const ImVector<ImGuiPopupData>& open = context.OpenPopupStack;
     const ImVec2 moved = ImGui::GetIO().MouseDelta;

@@ -12,8 +12,10 @@
 #include "ui/canvas_handles.h"
 #include "ui/canvas_paint.h"
 #include "ui/canvas_path.h"
+#include "ui/canvas_select.h"
 #include "ui/canvas_toolbar.h"
 #include "ui/canvas_tools.h"
+#include "ui/canvas_transform.h"
 #include "ui/item_map.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -56,6 +58,16 @@ BrushSurface surface_of(const CanvasFrame& frame) {
         .pointed_at = frame.cursor,
         .pixel = frame.pixel(ImGui::GetIO().MousePos),
         .normal = [&frame](glm::dvec2 pixel) { return std::optional(frame.view.nearest_direction(pixel)); }};
+}
+
+// Returns whether the pointer is the tool's.
+bool work_on_canvas(CanvasState& state, const CanvasFrame& frame, const CanvasSight& sight,
+                    Distribution& distribution, std::size_t& chosen) {
+    if (state.tool == CanvasTool::transform) return transform_paint(state, frame, distribution, chosen);
+    apply_transform(state);
+    if (state.tool == CanvasTool::handles) return handle_layers(state, frame, distribution, chosen);
+    if (selects_with(state.tool)) return select_area(state, frame);
+    return use_tool(state, surface_of(frame), sight.p, distribution, chosen);
 }
 
 // A line of words and numbers, and one of buttons.
@@ -138,6 +150,18 @@ void legend(const CanvasState& state, const CanvasFrame& frame, const CanvasCont
     text_at({bar + width + size * 0.5f, top}, most, palette::text_dim);
 }
 
+// Says what the tools paint while that is not the layer itself.
+void draw_mask_label(const CanvasState& state, const CanvasFrame& frame, const CanvasContents& contents) {
+    if (!contents.design || part_in_hand(state, *contents.design, contents.chosen) != LayerPart::mask) return;
+    const float scale = ImGui::GetFontSize() / 15, border = 8 * scale;
+    const std::string text = fmt::format("Mask of layer {}: what is veiled is hidden", contents.chosen + 1);
+    const ImVec2 low(frame.low.x + border, frame.low.y + border), size = ImGui::CalcTextSize(text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + size.x + 2 * border, low.y + size.y + border},
+                       ImGui::GetColorU32(palette::accent_dim), ImGui::GetStyle().FrameRounding);
+    text_at({low.x + border, low.y + 0.5f * border}, text, palette::text);
+}
+
 }  // namespace
 
 ImVec2 CanvasFrame::screen(dvec3 h) const {
@@ -171,9 +195,7 @@ CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribut
                       .cursor = {}};
     frame.cursor = cursor_of(frame);
     move_camera(state, frame);
-    const bool taken = state.tool == CanvasTool::handles
-                           ? handle_layers(state, frame, distribution, chosen)
-                           : use_tool(state, surface_of(frame), sight.p, distribution, chosen);
+    const bool taken = work_on_canvas(state, frame, sight, distribution, chosen);
     if (taken) name_edit_by_tool(state.tool);
     if (frame.hovered && ((!taken && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ||
                           ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Middle)))
@@ -193,11 +215,14 @@ void end_canvas(const CanvasState& state, const CanvasFrame& frame, const Canvas
         list.AddImage(contents.picture, frame.low,
                       {frame.low.x + contents.picture_size.x, frame.low.y + contents.picture_size.y});
     draw_grid(frame);
+    draw_selection(state, frame);
     if (contents.p && !state.camera.highlight) draw_mean_normal(frame, *contents.p);
     if (contents.design && state.tool == CanvasTool::handles)
         draw_handles(state, frame, *contents.design, contents.chosen);
     else if (contents.design)
         draw_brush(state, frame, contents);
+    draw_transform(state, frame);
+    draw_mask_label(state, frame, contents);
     if (contents.marked) draw_mark(frame, *contents.marked);
     list._FringeScale = 1;
     list.PopClipRect();

@@ -12,9 +12,13 @@
 #include "core/paint/density_picture.h"
 #include "core/paint/hemisphere_view.h"
 #include "core/paint/highlight.h"
+#include "core/paint/layer_paint.h"
 #include "core/paint/lobe_handles.h"
+#include "core/paint/select_tool.h"
+#include "core/paint/selection.h"
 #include "core/paint/stamps.h"
 #include "core/paint/stroke.h"
+#include "core/paint/transform.h"
 
 namespace nacre::ui {
 
@@ -30,13 +34,17 @@ struct GrabbedHandle {
     std::optional<glm::dvec2> moved_apart;
 };
 
-// What the left button does: it pulls the handles of lobes, grabs highlights, or paints.
+// What the left button does: it pulls the handles of lobes, grabs highlights, paints, or selects.
 enum class CanvasTool {
     handles,
     grab,
 #define TOOL(name) name,
 #include "core/paint/tool_list.inc"
 #undef TOOL
+#define SELECT(name) select_##name,
+#include "core/paint/select_list.inc"
+#undef SELECT
+    transform
 };
 
 // Where a drag has begun and therefore stays.
@@ -54,12 +62,10 @@ struct CarriedLayer {
 
 // A stroke while the button is held.
 struct HeldBrush {
-    std::size_t layer;
-    Layer before;
-    double mass, first_weight;  // see set_raster()
+    LayerPaint paint;
     Stroke stroke;
     glm::dvec2 pixel;  // that the brush has reached
-    dvec3 end;         // the normal there
+    dvec3 begin, end;  // normals of the press and there
     Surface surface;
 };
 
@@ -69,6 +75,41 @@ struct SizedBrush {
     double radius;     // before
     bool dragged = false;
     Surface surface;
+};
+
+// An area that is being marked.
+struct HeldSelection {
+    std::vector<glm::dvec2> way;  // of the pointer, pixels
+    SelectMode mode;
+};
+
+// What a box of handles stands about.
+struct TransformSubject {
+    std::size_t layer = 0;
+    LayerPart part = LayerPart::lobe;
+    std::shared_ptr<const Raster> raster = {};  // null: nothing
+    std::shared_ptr<const Selection> selection = {};
+    glm::dmat3 frame{1};  // of the layer
+
+    bool operator==(const TransformSubject&) const = default;
+};
+
+// Where a box is held.
+struct TransformGrip {
+    enum class Kind { move, pull, turn } kind;
+    dvec2 handle;  // of the box, where it is pulled
+    DiskBox before;
+    dvec2 from;  // of the press, on the surface's disk
+};
+
+struct HeldTransform {
+    TransformSubject subject;  // as it is shown
+    Transform transform;
+    DiskBox box;
+    Blend blend = Blend::replace;
+    std::optional<LayerPaint> paint = {};     // from the first drag on
+    std::optional<Distribution> origin = {};  // before it
+    std::optional<TransformGrip> grip = {};
 };
 
 struct StrokeEnd {
@@ -90,6 +131,8 @@ struct CanvasState {
     Brush brush;
     BrushSymmetry symmetry;
     int rays = usual_rays;
+    GradientForm form = GradientForm::linear;
+    double tolerance = usual_tolerance;
     std::vector<NamedStamp> stamps = built_in_stamps();
     std::size_t stamp = 0;
     StampPose pose;
@@ -97,6 +140,10 @@ struct CanvasState {
     std::optional<GrabbedHandle> grabbed;
     std::optional<HeldBrush> held;
     std::optional<SizedBrush> sized;
+    std::shared_ptr<const Selection> selection;  // that the tools keep to; null: all
+    std::optional<HeldSelection> selecting;
+    std::optional<HeldTransform> transform;
+    bool paints_mask = false;  // where the chosen layer has one, the tools work on its mask
     std::optional<StrokeEnd> last_stroke;
     double steadiness = 0;  // pixels that the brush hangs behind the pointer, as on a string
     std::vector<NamedBrush> own_brushes;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/paint/layer_paint.h"
 #include "core/paint/lobe_handles.h"
 #include "ui/kind_fields.h"
 #include "ui/layers_panel.h"
@@ -104,12 +105,21 @@ bool orientation(Layer& layer) {
     return changed;
 }
 
-bool modulation(Layer& layer) {
-    if (!layer.modulation) return false;
+// Its mask: a picture that multiplies the lobe, painted or read from a file.
+bool mask(Layer& layer, bool& paints_mask) {
     ImGui::Spacing();
-    heading("Modulated by a picture");
+    heading("Mask");
+    bool changed = false, painting = paints_mask && layer.modulation;
+    if (checkbox(
+            "Paint the mask", painting,
+            "Every tool of the canvas paints what of this layer shows, instead of the layer: white shows, "
+            "black hides. A new mask shows all that lies above the lobe's horizon.")) {
+        paints_mask = painting;
+        if (painting && !layer.modulation) layer.modulation = open_mask(), changed = true;
+    }
+    if (!layer.modulation) return changed;
     picture_row("Picture", layer.modulation->image);
-    bool changed = slider(
+    changed |= slider(
         {.label = "Strength",
          .low = 0,
          .high = 1,
@@ -122,7 +132,7 @@ bool modulation(Layer& layer) {
              "How much of the picture multiplies the lobe: p times (1 \u2212 strength + strength \u00b7 "
              "picture), renormalised to integrate to 1."},
         layer.modulation->strength);
-    if (button("Remove picture##Remove modulation", "Leave the lobe as it is without the picture.")) {
+    if (button("Remove mask##Remove modulation", "Leave the lobe as it is without the mask.")) {
         layer.modulation.reset();
         changed = true;
     }
@@ -131,7 +141,7 @@ bool modulation(Layer& layer) {
 
 }  // namespace
 
-bool layer_editor(Layer& layer, LayersView& view) {
+bool layer_editor(Layer& layer, LayersView& view, bool& paints_mask) {
     bool changed = text_field("Name##Layer name", layer.name, kind_label(layer.lobe),
                               "A name of your own for the list.");
     changed |= slider(
@@ -160,7 +170,7 @@ bool layer_editor(Layer& layer, LayersView& view) {
     } else if (!shape_of(layer.lobe)) {
         changed |= lobe_fields(layer.lobe, view);
     }
-    changed |= modulation(layer);
+    changed |= mask(layer, paints_mask);
     return changed;
 }
 

@@ -61,7 +61,7 @@ Distribution shown(const LayersView& view, const Distribution& distribution) {
     return result;
 }
 
-bool layers_panel(LayersView& view, Distribution& distribution) {
+bool layers_panel(LayersView& view, Distribution& distribution, bool& paints_mask) {
     Layers& layers = distribution.layers;
     view.chosen = std::min(view.chosen, layers.empty() ? 0 : layers.size() - 1);
     bool changed = layer_list(view, layers);
@@ -73,7 +73,7 @@ bool layers_panel(LayersView& view, Distribution& distribution) {
     ImGui::Spacing();
     if (!layers.empty()) {
         ImGui::PushID(static_cast<int>(view.chosen));
-        changed |= layer_editor(layers[view.chosen], view);
+        changed |= layer_editor(layers[view.chosen], view, paints_mask);
         ImGui::PopID();
     }
     return changed;

@@ -35,10 +35,10 @@ struct LayersView {
 // The layers as they are shown: all of them, or with one alone.
 Distribution shown(const LayersView& view, const Distribution& distribution);
 
-// Returns whether the distribution changed.
-bool layers_panel(LayersView& view, Distribution& distribution);
+// Returns whether the distribution changed. `paints_mask`: see CanvasState.
+bool layers_panel(LayersView& view, Distribution& distribution, bool& paints_mask);
 
 // The parameters of one layer.
-bool layer_editor(Layer& layer, LayersView& view);
+bool layer_editor(Layer& layer, LayersView& view, bool& paints_mask);
 
 }  // namespace nacre::ui

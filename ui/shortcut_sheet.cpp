@@ -36,6 +36,7 @@ SheetGroup mouse_group() {
              {"Shift+drag on the canvas", "With a brush: sizes it."},
              {"Shift+click there", "A line from where the last stroke ended."},
              {"Ctrl or Alt+click", "With a brush: picks the value that is there."},
+             {"Shift+drag, selecting", "Adds to what is selected; Ctrl or Alt takes away."},
              {"Double click", "On a number or its label: its usual value."},
              {"Ctrl+click", "On a number: type it."},
              {"Escape", "Closes what is on top, takes a drag back."},
@@ -81,14 +82,20 @@ void draw_group(const SheetGroup& shown) {
 
 std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
     std::vector<SheetGroup> groups;
-    for (const CommandInfo* info : commands)
-        if (info->keys != nullptr) group(groups, info->menu).lines.push_back({keys_text(*info), info->about});
+    // What concerns the canvas stands after what concerns the document.
+    const auto add_commands = [&](bool selecting) {
+        for (const CommandInfo* info : commands)
+            if (info->keys != nullptr && (std::string_view(info->menu) == "Select") == selecting)
+                group(groups, info->menu).lines.push_back({keys_text(*info), info->about});
+    };
+    add_commands(false);
     for (const ToolEntry& entry : canvas_tools())
         group(groups, "Tools")
             .lines.push_back(
                 {std::string(1, entry.face->key), std::string(entry.face->name) + ". " + entry.face->about});
     groups.push_back(keyboard_group());
     groups.push_back(mouse_group());
+    add_commands(true);
     return groups;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "app/designer/lit_picture.h"
+#include "ui/canvas_tools.h"
 
 namespace nacre {
 namespace {
@@ -57,13 +58,14 @@ int CanvasPane::divisor(const Drawn& wanted) {
                     static_cast<int>(std::ceil(std::sqrt(wanted.size.x * wanted.size.y / samples_moving))));
 }
 
-void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, const Drawn& wanted) {
-    if (scaled_revision_ != wanted.revision) scale_.peak = peak_density(p);
+void CanvasPane::redraw(const FacetDistribution* p, const HemisphereView& view, const Drawn& wanted) {
+    if (p != nullptr && scaled_revision_ != wanted.revision) scale_.peak = peak_density(*p);
     scaled_revision_ = wanted.revision;
     scale_.kind = wanted.scale;
-    const HemispherePicture picture = wanted.tables
-                                          ? lit_picture(*wanted.tables, wanted.light, view, wanted.divisor)
-                                          : density_picture(p, view, scale_, wanted.divisor);
+    HemispherePicture picture = wanted.tables
+                                    ? lit_picture(*wanted.tables, wanted.light, view, wanted.divisor)
+                                    : density_picture(p, view, scale_, wanted.divisor);
+    if (wanted.mask) veil_what_is_hidden(picture, view, wanted.divisor, *wanted.mask, wanted.mask_frame);
     picture_.store(picture.size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data(), GL_LINEAR);
     texels_ = picture.size;
     drawn_ = wanted;
@@ -71,6 +73,7 @@ void CanvasPane::redraw(const FacetDistribution& p, const HemisphereView& view, 
 
 void CanvasPane::work(const Frame& seen, Design& design, ui::LayersView& layers) {
     show_below(seen);
+    corner_ = ImGui::GetWindowPos(), extent_ = ImGui::GetWindowSize();
     frame_ = ui::begin_canvas(state, sight_of(seen, layers), design.distribution, layers.chosen);
 }
 
@@ -80,16 +83,26 @@ HemisphereView CanvasPane::view() const {
     return {state.camera, frame_.view.size() * pixels};
 }
 
-void CanvasPane::update(const Frame& frame, const Scene& scene) {
+bool CanvasPane::holds(ImVec2 at) const {
+    const float x = at.x - corner_.x, y = at.y - corner_.y;
+    return x >= 0 && y >= 0 && x < extent_.x && y < extent_.y;
+}
+
+void CanvasPane::update(const Frame& frame, const Scene& scene, std::size_t chosen) {
+    const Distribution& distribution = frame.design.distribution;
     const HemisphereView seen = view();
     Drawn wanted{
         .revision = frame.revision, .camera = state.camera, .size = seen.size(), .scale = state.scale};
-    if (state.scale == ScaleKind::material && frame.tables) {
+    if (state.scale == ScaleKind::material && frame.p && frame.tables) {
         wanted.tables = frame.tables;
         wanted.light = scene.light.irradiance * std::exp2(scene.exposure);
     }
+    if (ui::part_in_hand(state, distribution, chosen) == LayerPart::mask) {
+        wanted.mask = part_picture(distribution.layers[chosen], LayerPart::mask)->raster;
+        wanted.mask_frame = layer_frame(distribution.layers[chosen]);
+    }
     wanted.divisor = divisor(wanted);
-    if (frame.p && wanted != drawn_) redraw(*frame.p, seen, wanted);
+    if ((frame.p || wanted.mask) && wanted != drawn_) redraw(frame.p.get(), seen, wanted);
 }
 
 void CanvasPane::draw(const Frame& frame, const Design& design, const ui::LayersView& layers,
@@ -97,11 +110,12 @@ void CanvasPane::draw(const Frame& frame, const Design& design, const ui::Layers
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.name()));
     const double pixels = view().size().x / frame_.view.size().x;
     const glm::vec2 covered(glm::dvec2(texels_ * drawn_.divisor) / pixels);
+    const bool masked = ui::part_in_hand(state, design.distribution, layers.chosen) == LayerPart::mask;
     ui::end_canvas(state, frame_,
                    {.design = &design.distribution,
                     .chosen = layers.chosen,
                     .p = frame.p.get(),
-                    .picture = frame.p ? texture : nullptr,
+                    .picture = frame.p || masked ? texture : nullptr,
                     .picture_size = {covered.x, covered.y},
                     .scale = scale_,
                     .mean = sight_of(frame, layers).mean,

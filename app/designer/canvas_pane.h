@@ -18,8 +18,9 @@ class CanvasPane {
     // Fills the current Dear ImGui window, where the tools work on `design`. `seen`: what is on the screen.
     void work(const Frame& seen, Design& design, ui::LayersView& layers);
 
-    // Makes the picture, as work() left the camera: of p, or of what p shines like under the main light.
-    void update(const Frame& frame, const Scene& scene);
+    // Makes the picture, as work() left the camera: of p, or of what p shines like under the main light; and
+    // of the chosen layer's mask while that is painted.
+    void update(const Frame& frame, const Scene& scene, std::size_t chosen);
 
     // Draws it into the window, once work() and update() are done. `marked` is a normal that the preview
     // points at.
@@ -31,6 +32,9 @@ class CanvasPane {
 
     // Texels of the newest picture.
     glm::ivec2 picture_size() const { return texels_; }
+
+    // Whether a place on the screen is the canvas', or its toolbar's or legend's.
+    bool holds(ImVec2 at) const;
 
     // The normal under the pointer.
     const std::optional<dvec3>& pointed_at() const { return frame_.cursor; }
@@ -45,14 +49,17 @@ class CanvasPane {
         std::shared_ptr<const Tables> tables = nullptr;  // that it shines by; null: p
         glm::dvec3 light{0};                             // irradiance times exposure
         int divisor = 0;
+        std::shared_ptr<const Raster> mask = {};  // over the picture; null: none
+        glm::dmat3 mask_frame{1};
         bool operator==(const Drawn&) const = default;
     };
 
     void show_below(const Frame& seen);
     HemisphereView view() const;  // of the framebuffer's pixels
     int divisor(const Drawn& wanted);
-    void redraw(const FacetDistribution& p, const HemisphereView& view, const Drawn& wanted);
+    void redraw(const FacetDistribution* p, const HemisphereView& view, const Drawn& wanted);
 
+    ImVec2 corner_, extent_;    // of the window that it fills
     int scaled_revision_ = -1;  // that scale_ is for
     DensityScale scale_;
     ui::CanvasFrame frame_{.low = {}, .high = {}, .view = HemisphereView({}, {1, 1}), .cursor = {}};

@@ -52,7 +52,7 @@ void work_on_preview(Designer& designer) {
     ui::term_bar(scene.term, !shows_model, designer.layers.expert);
     ui::CanvasState& canvas = designer.canvas.state;
     const auto sphere = designer.preview.point(scene);
-    const bool taken = sphere && canvas.tool != ui::CanvasTool::handles &&
+    const bool taken = sphere && ui::works_on_object(canvas.tool) &&
                        ui::use_tool(canvas, *sphere, designer.frame.p.get(),
                                     designer.document.design.distribution, designer.layers.chosen);
     if (taken) ui::name_edit_by_tool(canvas.tool);
@@ -126,7 +126,7 @@ void make_frame(Designer& designer) {
     frame.revision = designer.live.revision();
     ask(designer, frame.design);
     // The bake runs meanwhile.
-    designer.canvas.update(frame, designer.scene);
+    designer.canvas.update(frame, designer.scene, designer.layers.chosen);
     const auto longest = designer.preview.has_picture() ? patience : first_patience;
     if (auto tables = designer.baker.poll(longest)) frame.tables = std::move(tables);
 }

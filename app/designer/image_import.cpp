@@ -6,9 +6,9 @@
 #include "app/designer/picture_notes.h"
 #include "core/base/error.h"
 #include "core/image/picture.h"
+#include "core/paint/layer_paint.h"
 #include "core/paint/normal_map.h"
 #include "core/paint/painted_layer.h"
-#include "ui/canvas_paint.h"
 #include "ui/dialogs.h"
 #include "ui/widgets.h"
 
@@ -22,7 +22,7 @@ void add_layer_of(const std::vector<dvec3>& normals_found, double width, const s
     auto raster = raster_of_normals(normals_found, width);
     if (distribution.layers.size() >= limits::layers_max)
         throw UserError("", "layers", "a design holds no more layers", std::to_string(limits::layers_max));
-    ui::add_painted_layer(distribution, chosen);
+    add_painted_layer(distribution, chosen);
     Layer& layer = distribution.layers[chosen];
     layer.name = name;
     const double others = weight_of_others(distribution, chosen);

@@ -99,7 +99,11 @@ void draw_panel(Designer& designer) {
     designer.layers.thumbnails.update(designer.frame.p.get(), designer.frame.revision);
     tab("Layers", [&] {
         draw_intensity(design.specular);
-        ui::layers_panel(designer.layers, design.distribution);
+        ui::CanvasState& canvas = designer.canvas.state;
+        const bool painted = canvas.paints_mask;
+        ui::layers_panel(designer.layers, design.distribution, canvas.paints_mask);
+        if (canvas.paints_mask && !painted && canvas.tool == ui::CanvasTool::handles)
+            canvas.tool = ui::CanvasTool::erase;
         use_clipboard(designer);
     });
     tab("Material", [&] { draw_material(design); });

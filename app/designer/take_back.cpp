@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/designer/designer.h"
+#include "ui/canvas_transform.h"
 #include "ui/escape.h"
 #include "ui/focus.h"
 #include "ui/number_item.h"
@@ -13,6 +14,18 @@ namespace {
 bool nothing_held() {
     const ui::KeyboardFocus* const focus = ui::keyboard_focus();
     return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click() && !(focus && focus->is_changing());
+}
+
+// What is neither applied nor taken back is no step yet.
+void commit(Designer& designer) {
+    if (!ui::transform_pending(designer.canvas.state)) designer.document.commit();
+}
+
+// Whoever clicks beside the canvas goes on to something else: that is a step of its own.
+void apply_for_click_elsewhere(Designer& designer) {
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !designer.canvas.holds(ImGui::GetIO().MousePos) &&
+        !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        ui::apply_transform(designer.canvas.state);
 }
 
 AtRest at_rest(const Designer& designer) {
@@ -38,14 +51,15 @@ void take_back(Designer& designer) {
 }  // namespace
 
 void end_click(Designer& designer) {
-    if (nothing_held()) designer.document.commit();
+    apply_for_click_elsewhere(designer);
+    if (nothing_held()) commit(designer);
 }
 
 void end_edit(Designer& designer) {
     ui::take_escape_of_drag();
     if (ui::drag_taken_back()) take_back(designer);
     if (!nothing_held()) return;
-    designer.document.commit();
+    commit(designer);
     designer.rest = at_rest(designer);
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -14,6 +15,49 @@
 namespace nacre {
 namespace {
 
+// Where a picture is the same all over a part of it.
+class EvenParts {
+  public:
+    explicit EvenParts(const Raster& picture)
+        : side_(picture.width),
+          sums_(static_cast<std::size_t>(side_ + 1) * static_cast<std::size_t>(side_ + 1)) {
+        const auto value = [&](int row, int column) {
+            return picture
+                .values[static_cast<std::size_t>(std::min(row, side_ - 1)) * static_cast<std::size_t>(side_) +
+                        static_cast<std::size_t>(std::min(column, side_ - 1))];
+        };
+        for (int row = 0; row < side_; ++row)
+            for (int column = 0; column < side_; ++column) {
+                const float here = value(row, column);
+                const bool steps = value(row + 1, column) != here || value(row, column + 1) != here;
+                sums_[index(row + 1, column + 1)] = (steps ? 1 : 0) + sums_[index(row, column + 1)] +
+                                                    sums_[index(row + 1, column)] - sums_[index(row, column)];
+            }
+    }
+
+    // Whether all texels are that are read between two corners of a rectangle on the disk.
+    bool is_even(dvec2 low, dvec2 high) const {
+        const auto texel = [&](double along) { return (along + 1) / 2 * side_ - 0.5; };
+        const int left = static_cast<int>(std::floor(texel(low.x))),
+                  right = static_cast<int>(std::ceil(texel(high.x)));
+        const int top = static_cast<int>(std::floor(texel(-high.y))),
+                  bottom = static_cast<int>(std::ceil(texel(-low.y)));
+        if (left < 0 || top < 0 || right >= side_ || bottom >= side_) return false;
+        const int steps = sums_[index(bottom + 1, right + 1)] - sums_[index(top, right + 1)] -
+                          sums_[index(bottom + 1, left)] + sums_[index(top, left)];
+        return steps == 0;
+    }
+
+  private:
+    std::size_t index(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_ + 1) +
+               static_cast<std::size_t>(column);
+    }
+
+    int side_;
+    std::vector<int> sums_;  // of the steps above and left of a texel's corner
+};
+
 // The base lobe's own coordinates carry the facets, so that a narrow lobe is resolved whatever the picture's
 // size.
 class Modulated final : public FacetLobe {
@@ -21,6 +65,7 @@ class Modulated final : public FacetLobe {
     Modulated(std::shared_ptr<const LobeModel> base, const Modulation& modulation, Fineness fineness)
         : base_(std::move(base)),
           factor_(modulation),
+          even_parts_(extended_past_rim(*modulation.image.raster)),
           side_(fineness == Fineness::bake ? 128 : 512),
           pieces_a_texel_(fineness == Fineness::bake ? 2 : 6) {
         for (const LobeParameterization& span : base_->spans()) pyramids_.push_back(make_pyramid(span));
@@ -109,12 +154,20 @@ class Modulated final : public FacetLobe {
     // The ends of a piece of the great circle at an azimuth, in t; it is cut where p has a corner: at the
     // lobe's own, and where the circle, on the disk a straight line from its middle, crosses the lines
     // between middles of texels.
-    void cut_line(const LobeParameterization& span, dvec2 azimuth, std::vector<double>& cuts) const {
+    void cut_line(const LobeParameterization& span, dvec2 azimuth, bool even,
+                  std::vector<double>& cuts) const {
         const double low = cuts.front(), high = cuts.back();
         const auto add = [&](double t) {
             if (t > low && t < high) cuts.push_back(t);
         };
         for (const double angle : span.breaks) add(std::cos(angle));
+        if (!even) cut_at_texels(span, azimuth, low, high, add);
+        std::sort(cuts.begin(), cuts.end());
+    }
+
+    template <class Add>
+    void cut_at_texels(const LobeParameterization& span, dvec2 azimuth, double low, double high,
+                       const Add& add) const {
         const dvec2 along = span.stretch * azimuth;
         const double stretch = glm::length(along);
         const auto radius = [&](double t) {  // of the disk: 1 - h.z = r^2
@@ -133,7 +186,22 @@ class Modulated final : public FacetLobe {
                 if (r > 0 && z > 0) add(stretch * z / std::sqrt(stretch * stretch * z * z + 1 - z * z));
             }
         }
-        std::sort(cuts.begin(), cuts.end());
+    }
+
+    // Whether the picture is the same all over a cell.
+    bool is_even(const LobeParameterization& span, int row, int column) const {
+        dvec2 low(HUGE_VAL), high(-HUGE_VAL);
+        for (const int t : {row, row + 1})
+            for (const double c : {0.0, 0.5, 1.0}) {
+                const dvec3 h = span_point(span, static_cast<double>(t) / side_,
+                                           unit_vector(2 * std::numbers::pi * (column + c) / side_))
+                                    .h;
+                if (!(h.z > 0)) return false;
+                low = glm::min(low, disk_point(h));
+                high = glm::max(high, disk_point(h));
+            }
+        const dvec2 bulge = 0.3 * (high - low);  // its sides are bent
+        return even_parts_.is_even(low - bulge, high + bulge);
     }
 
     // Of a lobe without corners.
@@ -153,12 +221,13 @@ class Modulated final : public FacetLobe {
         // A cell is broadest where it is farthest from the axis.
         const SpanPoint outer = corner(low, column);
         const bool faint = next_to_nothing(span, {outer, corner(high, column)});
-        const int columns = faint ? 1 : pieces_between(outer.h, corner(low, column + 1).h);
+        const bool even = faint || is_even(span, row, column);
+        const int columns = even ? 1 : pieces_between(outer.h, corner(low, column + 1).h);
         std::vector<double> cuts;
         for (int j = 0; j < 2 * columns; ++j) {
             const dvec2 azimuth = unit_vector(turn * (column + place(j, columns)));
             cuts = {low, high};
-            if (!faint) cut_line(span, azimuth, cuts);
+            if (!faint) cut_line(span, azimuth, even, cuts);
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
                 for (int point = 0; point < 2; ++point) {
                     const double length = cuts[i + 1] - cuts[i];
@@ -199,6 +268,7 @@ class Modulated final : public FacetLobe {
 
     std::shared_ptr<const LobeModel> base_;
     ModulationFactor factor_;
+    EvenParts even_parts_;
     int side_;  // cells a side of a span
     int pieces_a_texel_;
     std::vector<MomentPyramid> pyramids_;

@@ -7,6 +7,7 @@
 
 #include "core/model/disk.h"
 #include "core/paint/colour_map.h"
+#include "core/paint/raster_texels.h"
 
 namespace nacre {
 namespace {
@@ -45,9 +46,9 @@ class Directions {
         z_.push_back(h.z);
     }
 
-    std::vector<double> densities(const FacetDistribution& p) const {
+    std::vector<double> densities(const FacetDistribution* p) const {
         std::vector<double> values(x_.size());
-        p.densities({x_.data(), y_.data(), z_.data(), x_.size()}, values.data());
+        if (p != nullptr) p->densities({x_.data(), y_.data(), z_.data(), x_.size()}, values.data());
         return values;
     }
 
@@ -87,7 +88,7 @@ double peak_density(const FacetDistribution& p) {
     for (const PlacedLobe& placed : p.lobes()) axes.add(placed.frame[2]);
     double peak = 0;
     for (const Directions* places : {&grid, static_cast<const Directions*>(&axes)})
-        for (const double density : places->densities(p)) peak = std::max(peak, density);
+        for (const double density : places->densities(&p)) peak = std::max(peak, density);
     return peak;
 }
 
@@ -116,19 +117,41 @@ HemispherePicture hemisphere_picture(const HemisphereView& view, int divisor, co
     return picture;
 }
 
-HemispherePicture density_picture(const FacetDistribution& p, const HemisphereView& view,
+HemispherePicture density_picture(const FacetDistribution* p, const HemisphereView& view,
                                   const DensityScale& scale, int divisor) {
     static const std::array<glm::u8vec3, colours> table = colour_table();
     return hemisphere_picture(view, divisor, [&](std::span<const dvec3> row) {
+        if (p == nullptr) return std::vector<glm::u8vec3>(row.size(), table[0]);
         Directions directions;
         for (const dvec3 h : row) directions.add(h);
         std::vector<glm::u8vec3> shown;
         shown.reserve(row.size());
-        for (const double density : directions.densities(p))
+        for (const double density : directions.densities(*p))
             shown.push_back(
                 table[static_cast<std::size_t>(std::lround(scale.position(density) * (colours - 1)))]);
         return shown;
     });
+}
+
+void veil_what_is_hidden(HemispherePicture& picture, const HemisphereView& view, int divisor,
+                         const Raster& mask, const glm::dmat3& layer_frame) {
+    constexpr glm::dvec3 veil(28, 120, 130);  // no colour of p is like it
+    constexpr double thickness = 0.75;        // where all is hidden
+    const glm::dmat3 to_layer = glm::transpose(layer_frame);
+    std::size_t index = 0;
+    for (int row = 0; row < picture.size.y; ++row)
+        for (int column = 0; column < picture.size.x; ++column, index += 4) {
+            if (picture.rgba[index + 3] == 0) continue;
+            const glm::dvec2 pixel = glm::dvec2(column + 0.5, row + 0.5) * static_cast<double>(divisor);
+            const dvec3 h = to_layer * view.nearest_direction(pixel);
+            const double open = h.z >= 0 ? raster_value(mask.values, mask.width, disk_point(h)) : 0;
+            const double hidden = thickness * std::clamp(1 - open, 0.0, 1.0);
+            for (int c = 0; c < 3; ++c) {
+                auto& channel = picture.rgba[index + static_cast<std::size_t>(c)];
+                channel = static_cast<std::uint8_t>(
+                    std::lround(std::lerp(static_cast<double>(channel), veil[c], hidden)));
+            }
+        }
 }
 
 }  // namespace nacre

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/image/raster.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/hemisphere_view.h"
 
@@ -59,8 +60,12 @@ using RowColours = std::function<std::vector<glm::u8vec3>(std::span<const dvec3>
 // `divisor` times fewer pixels each way than the view has.
 HemispherePicture hemisphere_picture(const HemisphereView& view, int divisor, const RowColours& colours);
 
-// p, by a scale of brightness.
-HemispherePicture density_picture(const FacetDistribution& p, const HemisphereView& view,
+// p, by a scale of brightness; a null p is 0 all over.
+HemispherePicture density_picture(const FacetDistribution* p, const HemisphereView& view,
                                   const DensityScale& scale, int divisor);
+
+// Lays the colour of a veil over what a layer's mask hides, as far as it does.
+void veil_what_is_hidden(HemispherePicture& picture, const HemisphereView& view, int divisor,
+                         const Raster& mask, const glm::dmat3& layer_frame);
 
 }  // namespace nacre

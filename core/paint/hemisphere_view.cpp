@@ -84,6 +84,18 @@ glm::dvec2 HemisphereView::pixel(glm::dvec3 normal) const {
     return 0.5 * size_ + glm::dvec2(at.x, -at.y) * unit_;
 }
 
+glm::dvec2 HemisphereView::disk_pixel(glm::dvec2 at) const {
+    const double r = glm::length(at), outermost = (camera_.below ? nadir : 1) * (1 - 1e-9);
+    if (camera_.dome) return pixel(disk_direction(r > outermost ? at * (outermost / r) : at));
+    const glm::dvec2 off = (camera_.highlight ? -at : at) - camera_.centre;
+    return 0.5 * size_ + glm::dvec2(off.x, -off.y) * unit_;
+}
+
+glm::dvec2 HemisphereView::disk_under(glm::dvec2 pixel) const {
+    if (camera_.dome) return disk_point(nearest_direction(pixel));
+    return camera_.highlight ? -plane(pixel) : plane(pixel);
+}
+
 bool HemisphereView::hidden(glm::dvec3 h) const {
     if (h.z < 0 && !camera_.below) return true;
     if (!camera_.dome) return false;

@@ -47,6 +47,10 @@ class HemisphereView {
     glm::dvec2 pixel(glm::dvec3 h) const;
     bool hidden(glm::dvec3 h) const;
 
+    // The same of points on the surface's equal-area disk, which a picture of the disk shows beside it too.
+    glm::dvec2 disk_pixel(glm::dvec2 at) const;
+    glm::dvec2 disk_under(glm::dvec2 pixel) const;
+
     // How much of a pixel the disk or the dome covers, as an edge one pixel wide: 0 beside it, 1 on it.
     double coverage(glm::dvec2 pixel) const;
 

@@ -13,4 +13,8 @@ const PaintToolInfo& info(PaintTool tool) {
     return *list[static_cast<std::size_t>(tool)];
 }
 
+bool is_as_wide_as_brush(const PaintToolInfo& tool) {
+    return std::holds_alternative<DabTool>(tool.work) || std::holds_alternative<ShapeDistance>(tool.work);
+}
+
 }  // namespace nacre

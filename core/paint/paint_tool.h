@@ -5,8 +5,9 @@
 #include <variant>
 
 #include "core/paint/dab.h"
-#include "core/paint/icon_pen.h"
+#include "core/paint/selection.h"
 #include "core/paint/shape.h"
+#include "core/paint/tool_face.h"
 
 namespace nacre {
 
@@ -22,18 +23,9 @@ inline constexpr PaintTool paint_tools[] = {
 #undef TOOL
 };
 
-// How a tool is shown.
-struct ToolFace {
-    const char* name;
-    char key;           // a letter
-    const char* about;  // one line for tooltip, sheet and manual
-    const char* more;   // for the tooltip alone
-    void (*icon)(const IconPen& pen);
-    bool begins_group = false;  // a gap before its button
-};
-
-// What it needs beside the brush's radius and flow.
-enum class ToolNeed { hardness, picture, rays };
+// What it needs beside the brush's radius and flow, or, of a tool that has no use for those, beside its value
+// and opacity.
+enum class ToolNeed { hardness, picture, rays, tolerance, form };
 
 // A tool of dabs along the path of the hand. Full paint is 1, and values stay in [0, 1]. Copies of a
 // symmetric dab that overlap count once, the strongest: a mirrored dab is exactly symmetric where the raster
@@ -45,11 +37,27 @@ struct DabTool {
     bool follows_way = true;  // else it is the press alone
 };
 
+// What a press points at.
+struct PressedArea {
+    BrushSymmetry symmetry;
+    dvec3 at{0, 0, 1};
+    double tolerance;                       // between values that count as like
+    const TexelShares* selected = nullptr;  // null: all
+};
+
+// Covers at once what belongs to the press by what is there.
+struct AreaTool {
+    void (*cover)(const Raster& raster, const PressedArea& area, Coverage& coverage);
+};
+
 struct PaintToolInfo {
     ToolFace face;
     ToolNeed needs = ToolNeed::hardness;
-    std::variant<DabTool, ShapeDistance> work;
+    std::variant<DabTool, ShapeDistance, GradientTool, AreaTool> work;
 };
+
+// Whether the brush's radius, hardness and flow play a part.
+bool is_as_wide_as_brush(const PaintToolInfo& tool);
 
 const PaintToolInfo& info(PaintTool tool);
 

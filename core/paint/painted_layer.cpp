@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/paint/raster_texels.h"
 
@@ -13,8 +12,8 @@ namespace {
 constexpr float faint = 1e-3f;
 
 std::shared_ptr<const Raster> in_paint_unit(const std::shared_ptr<const Raster>& given) {
-    const float largest = largest_on_disk(*given);
-    if (!(largest > 0) || (largest >= faint && largest <= 1)) return given;
+    const auto largest = static_cast<float>(paint_unit(*given));
+    if (largest == 1) return given;
     auto scaled = std::make_shared<Raster>(*given);
     for (float& value : scaled->values) value = std::min(value / largest, 1.0f);
     return scaled;
@@ -35,8 +34,16 @@ Layer blank_painted_layer() {
     return layer;
 }
 
-std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe) {
-    const std::shared_ptr<const Raster> given = in_paint_unit(lobe.image.raster);
+double paint_unit(const Raster& picture) {
+    const float largest = largest_on_disk(picture);
+    const bool in_unit = !(largest > 0) || (largest >= faint && largest <= 1);
+    return in_unit ? 1 : static_cast<double>(largest);
+}
+
+std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe) { return paintable(lobe.image.raster); }
+
+std::shared_ptr<const Raster> paintable(const std::shared_ptr<const Raster>& picture) {
+    const std::shared_ptr<const Raster> given = in_paint_unit(picture);
     if (given->width >= painted_side) return given;
     auto finer = std::make_shared<Raster>();
     finer->width = finer->height = painted_side;
@@ -60,19 +67,20 @@ dvec3 above_horizon(dvec3 h) {
 }
 
 void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight) {
-    const double after = raster_mass(*raster);
+    weigh_by_paint(layer, mass, raster_mass(*raster), first_weight);
+    std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
+}
+
+void weigh_by_paint(Layer& layer, double mass, double after, double first_weight) {
     if (after > 0) {
         layer.weight = mass > 0 ? layer.weight * (after / mass) : first_weight;
         if (!(mass > 0)) layer.enabled = true;
     } else {
         layer.enabled = false;
     }
-    std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
 }
 
-void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass) {
-    // Values are at most 1, and texels count in whole: a little more than the hemisphere.
-    constexpr double mass_max = 2.01 * std::numbers::pi;
+void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass, double mass_max) {
     const double room = limits::weight_max * std::min(mass / mass_max, 1.0);
     const double weight = distribution.layers[layer].weight;
     if (!(mass > 0) || weight <= room) return;

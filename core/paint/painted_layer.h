@@ -17,6 +17,10 @@ Layer blank_painted_layer();
 // painted_side texels a side; a coarser one is read between its texels. Full paint is 1: a picture in another
 // unit is brought to a largest value of 1, which changes nothing of p.
 std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe);
+std::shared_ptr<const Raster> paintable(const std::shared_ptr<const Raster>& picture);
+
+// What of the picture becomes a 1 there.
+double paint_unit(const Raster& picture);
 
 // The same direction, or the nearest on the horizon for one below it.
 dvec3 above_horizon(dvec3 h);
@@ -27,9 +31,12 @@ dvec3 above_horizon(dvec3 h);
 // first paint, and left out when the last is erased.
 void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight);
 
+// That weight, for a layer whose paint goes from one mass to another.
+void weigh_by_paint(Layer& layer, double mass, double after, double first_weight);
+
 // Takes all weights by one factor, which changes nothing of p, where the weight of a layer of that mass could
-// else outgrow limits::weight_max while all of it is painted over.
-void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass);
+// else outgrow limits::weight_max while all of it is painted over, up to the largest mass there can be.
+void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass, double mass_max);
 
 // Of the layers that count, but for the one at `except`.
 double weight_of_others(const Distribution& distribution, std::size_t except);

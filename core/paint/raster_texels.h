@@ -14,6 +14,10 @@ inline constexpr int painted_side = 512;  // texels a side of a layer that is pa
 // Texels whose middle lies inside the horizon hold facets. Those just beyond it are painted too, as the
 // picture would go on there, though p takes nothing from them.
 inline bool holds_facets(glm::dvec2 at) { return glm::dot(at, at) < 1; }
+inline bool is_painted(int side, glm::dvec2 at) {
+    const double outermost = 1 + 3.0 / side;
+    return glm::dot(at, at) < outermost * outermost;
+}
 
 // Calls visit(index, h) for every texel within `reach` (radians) of the unit vector `middle`, some farther
 // ones among them. The disk shortens no way by more than it does at the pole, where a radian is 1/sqrt(2),
@@ -26,11 +30,10 @@ void visit_texels(int side, glm::dvec3 middle, double reach, const Visit& visit)
     const double spread = reach + 3.0 / side;
     const int left = std::max(column(at.x - spread), 0), right = std::min(column(at.x + spread), side - 1);
     const int top = std::max(row(at.y + spread), 0), bottom = std::min(row(at.y - spread), side - 1);
-    const double outermost = 1 + 3.0 / side;
     for (int i = top; i <= bottom; ++i)
         for (int j = left; j <= right; ++j) {
             const glm::dvec2 point = texel_point(side, i, j);
-            if (glm::dot(point, point) < outermost * outermost)
+            if (is_painted(side, point))
                 visit(static_cast<std::size_t>(i) * static_cast<std::size_t>(side) +
                           static_cast<std::size_t>(j),
                       disk_direction(point));

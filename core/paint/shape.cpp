@@ -11,11 +11,16 @@ namespace {
 
 constexpr double shortest = 1e-9;  // radians; a shape that has not been drawn out yet
 
-// How far h lies from a shape, in brush radii.
-class DistanceFrom {
+// How much of the full effect a shape has at h.
+class AmountOf {
   public:
-    DistanceFrom(const Shape& shape, double radius)
-        : shape_(shape), size_{angle_between(shape.from, shape.to), radius, shape.rays} {
+    AmountOf(const Shape& shape, const Brush& brush)
+        : shape_(shape),
+          brush_(brush),
+          size_{.length = angle_between(shape.from, shape.to),
+                .radius = brush.radius * (std::numbers::pi / 180),
+                .rays = shape.rays,
+                .form = shape.form} {
         const dvec3 toward = shape.to - shape.from * glm::dot(shape.from, shape.to);
         const dvec3 away = std::abs(shape.from.z) < 0.9 ? dvec3(0, 0, 1) : dvec3(1, 0, 0);
         along_ =
@@ -25,14 +30,22 @@ class DistanceFrom {
 
     double operator()(dvec3 h) const {
         const double turn = std::atan2(glm::dot(h, across_), glm::dot(h, along_));
-        return shape_.distance(size_, angle_between(h, shape_.from), turn);
+        const double middle = angle_between(h, shape_.from);
+        if (const auto* gradient = std::get_if<GradientTool>(&shape_.work))
+            return gradient->amount(size_, middle, turn);
+        const auto distance = std::get<ShapeDistance>(shape_.work);
+        return brush_.flow * brush_falloff(brush_, distance(size_, middle, turn));
     }
 
     // From `from` to the farthest point of the shape.
-    double reach() const { return size_.length + size_.radius; }
+    double reach() const {
+        return std::holds_alternative<GradientTool>(shape_.work) ? std::numbers::pi
+                                                                 : size_.length + size_.radius;
+    }
 
   private:
     Shape shape_;
+    Brush brush_;
     ShapeSize size_;
     dvec3 along_, across_;
 };
@@ -47,11 +60,10 @@ RayPlace ray_place(double middle, double turn) {
 std::shared_ptr<const Raster> with_shape(const Raster& before, const Shape& shape, const Brush& brush,
                                          const BrushSymmetry& symmetry) {
     auto raster = std::make_shared<Raster>(before);
-    const DistanceFrom distance(shape, brush.radius * (std::numbers::pi / 180));
+    const AmountOf amount(shape, brush);
     Coverage coverage(raster->width);
-    visit_images(raster->width, symmetry, shape.from, distance.reach(), [&](const SeenTexel& texel) {
-        coverage.add(texel.index, brush.flow * brush_falloff(brush, distance(texel.original)));
-    });
+    visit_images(raster->width, symmetry, shape.from, amount.reach(),
+                 [&](const SeenTexel& texel) { coverage.add(texel.index, amount(texel.original)); });
     coverage.paint(raster->values, brush);
     return raster;
 }

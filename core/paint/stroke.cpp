@@ -27,9 +27,20 @@ Stroke::Stroke(const Raster& before, StrokeStyle style, dvec3 at)
       at_(begin_),
       last_dab_(begin_),
       to_next_(spacing(style_.brush)) {
-    if (style_.brush.opacity < 1) before_ = before.values;
+    if (style_.brush.opacity < 1 || style_.selected) before_ = before.values;
+    if (const auto* area = std::get_if<AreaTool>(&info(style_.tool).work)) cover_area(*area);
     const DabTool* dabs = dab_tool(style_.tool);
     if (dabs != nullptr && dabs->at_press) dab(at_, at_);
+}
+
+void Stroke::cover_area(const AreaTool& tool) {
+    tool.cover(working_,
+               {.symmetry = style_.symmetry,
+                .at = at_,
+                .tolerance = style_.tolerance,
+                .selected = style_.selected.get()},
+               scratch_);
+    scratch_.paint(working_.values, style_.brush);
 }
 
 void Stroke::dab(dvec3 at, dvec3 from) {
@@ -62,16 +73,28 @@ void Stroke::move_to(dvec3 to) {
     to = above_horizon(to);
     if (const DabTool* dabs = dab_tool(style_.tool)) {
         if (dabs->follows_way) dabs_to(to);
-    } else if (to != at_) {
+    } else if (to != at_ && !std::holds_alternative<AreaTool>(info(style_.tool).work)) {
         at_ = to;
         published_.reset();
     }
 }
 
 std::shared_ptr<const Raster> Stroke::stroked() const {
-    if (const auto* distance = std::get_if<ShapeDistance>(&info(style_.tool).work))
-        return with_shape(working_, {*distance, style_.rays, begin_, at_}, style_.brush, style_.symmetry);
+    const auto drawn = [&](const auto& work) {
+        return with_shape(working_,
+                          {.work = work, .rays = style_.rays, .form = style_.form, .from = begin_, .to = at_},
+                          style_.brush, style_.symmetry);
+    };
+    const PaintToolInfo& tool = info(style_.tool);
+    if (const auto* distance = std::get_if<ShapeDistance>(&tool.work)) return drawn(*distance);
+    if (const auto* gradient = std::get_if<GradientTool>(&tool.work)) return drawn(*gradient);
     return std::make_shared<const Raster>(working_);
+}
+
+// How much of the stroke a texel takes.
+double Stroke::share(std::size_t texel) const {
+    const double selected = style_.selected ? static_cast<double>((*style_.selected)[texel]) : 1;
+    return style_.brush.opacity * selected;
 }
 
 std::shared_ptr<const Raster> Stroke::raster() {
@@ -80,10 +103,20 @@ std::shared_ptr<const Raster> Stroke::raster() {
     if (before_.empty()) return published_;
     auto mixed = std::make_shared<Raster>(*published_);
     for (std::size_t i = 0; i < before_.size(); ++i)
-        mixed->values[i] = static_cast<float>(std::lerp(
-            static_cast<double>(before_[i]), static_cast<double>(mixed->values[i]), style_.brush.opacity));
+        mixed->values[i] = static_cast<float>(
+            std::lerp(static_cast<double>(before_[i]), static_cast<double>(mixed->values[i]), share(i)));
     published_ = std::move(mixed);
     return published_;
+}
+
+std::shared_ptr<const Raster> painted_over(const Raster& before, const TexelShares& selected,
+                                           const Brush& brush) {
+    auto raster = std::make_shared<Raster>(before);
+    for (std::size_t i = 0; i < selected.size(); ++i)
+        if (selected[i] > 0)
+            raster->values[i] = static_cast<float>(painted(brush, static_cast<double>(before.values[i]),
+                                                           brush.opacity * static_cast<double>(selected[i])));
+    return raster;
 }
 
 }  // namespace nacre

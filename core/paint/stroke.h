@@ -1,4 +1,5 @@
-// A stroke of the brush: dabs at even distances along the path of the hand, or a shape.
+// What is painted from a press to its release: dabs at even distances along the path of the hand, a shape, or
+// an area.
 #pragma once
 
 #include <memory>
@@ -9,6 +10,7 @@
 namespace nacre {
 
 inline constexpr int usual_rays = 5;
+inline constexpr double usual_tolerance = 0.1;
 
 struct StrokeStyle {
     PaintTool tool = PaintTool::paint;
@@ -17,6 +19,9 @@ struct StrokeStyle {
     std::shared_ptr<const Raster> tip;  // of a tool that needs a picture
     glm::dmat2 to_tip{1};               // see stamp_from_layer()
     int rays = usual_rays;
+    GradientForm form = GradientForm::linear;
+    double tolerance = usual_tolerance;                // between values that are filled alike
+    std::shared_ptr<const TexelShares> selected = {};  // that the whole stroke keeps to; null: all
 };
 
 // Directions are unit vectors in the layer's frame; those below its horizon count as the rim.
@@ -34,11 +39,13 @@ class Stroke {
 
   private:
     void dab(dvec3 at, dvec3 from);
+    void cover_area(const AreaTool& tool);
+    double share(std::size_t texel) const;
     std::shared_ptr<const Raster> stroked() const;
     void dabs_to(dvec3 to);
 
     Raster working_;             // a shape leaves it as it was
-    std::vector<float> before_;  // values, where the brush's opacity mixes them in
+    std::vector<float> before_;  // values, where opacity or selection mixes them in
     StrokeStyle style_;
     Coverage scratch_;
     dvec3 begin_;
@@ -47,5 +54,9 @@ class Stroke {
     double to_next_ = 0;  // distance to the next dab, radians
     std::shared_ptr<const Raster> published_;
 };
+
+// All that is selected, painted at once as the brush combines by value and opacity.
+std::shared_ptr<const Raster> painted_over(const Raster& before, const TexelShares& selected,
+                                           const Brush& brush);
 
 }  // namespace nacre

@@ -67,7 +67,7 @@ TEST_CASE("density picture: brightest at the lobe's axis, transparent beside the
     const HemisphereView view({.highlight = false}, {200, 200});
     const double peak = peak_density(p);
     CHECK(peak == doctest::Approx(p.density(axis)));
-    const HemispherePicture picture = density_picture(p, view, {.peak = peak, .kind = ScaleKind::linear}, 1);
+    const HemispherePicture picture = density_picture(&p, view, {.peak = peak, .kind = ScaleKind::linear}, 1);
     REQUIRE(picture.size == glm::ivec2(200, 200));
     REQUIRE(picture.rgba.size() == 200 * 200 * 4);
     CHECK(picture.rgba[3] == 0);
@@ -76,10 +76,10 @@ TEST_CASE("density picture: brightest at the lobe's axis, transparent beside the
     CHECK(luminance(texel(picture, int(at.x), int(at.y))) > 0.6);
     CHECK(luminance(texel(picture, 100, 150)) < 0.01);
     const HemispherePicture wide =
-        density_picture(p, view, {.peak = peak, .kind = ScaleKind::logarithmic}, 1);
+        density_picture(&p, view, {.peak = peak, .kind = ScaleKind::logarithmic}, 1);
     CHECK(luminance(texel(wide, int(at.x), int(at.y) - 10)) >
           luminance(texel(picture, int(at.x), int(at.y) - 10)));
-    CHECK(density_picture(p, view, {.peak = peak, .kind = ScaleKind::linear}, 3).size == glm::ivec2(67, 67));
+    CHECK(density_picture(&p, view, {.peak = peak, .kind = ScaleKind::linear}, 3).size == glm::ivec2(67, 67));
 }
 
 TEST_CASE("live distribution: after each edit it is what is made anew") {

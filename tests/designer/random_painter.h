@@ -18,7 +18,7 @@ class RandomPainter {
         : random_(seed), pictures_(std::move(pictures)) {}
 
     std::vector<std::string> act() {
-        switch (pick(14)) {
+        switch (pick(16)) {
             case 0:
             case 1:
                 return {click(one_of(tools))};
@@ -39,6 +39,10 @@ class RandomPainter {
                 return layers();
             case 10:
                 return picture();
+            case 11:
+                return {"key " + std::string(one_of(selecting))};
+            case 12:
+                return {click("Paint the mask")};
             default:
                 return {drag(normal(), normal())};
         }
@@ -107,8 +111,12 @@ class RandomPainter {
         return names[pick(count)];
     }
 
-    static constexpr std::array tools = {"Handles", "Grab",  "Paint", "Erase", "Smooth",
-                                         "Smear",   "Stamp", "Line",  "Ring",  "Star"};
+    static constexpr std::array tools = {
+        "Handles",      "Grab",     "Paint", "Erase", "Smooth", "Smear",    "Stamp",
+        "Line",         "Ring",     "Star",  "Fill",  "Fill",   "Gradient", "Select rectangle",
+        "Select lasso", "Transform"};
+    static constexpr std::array selecting = {"Ctrl+A", "Ctrl+Shift+A", "Ctrl+Shift+A",
+                                             "Ctrl+I", "Delete",       "Shift+Backspace"};
     static constexpr std::array symmetries = {"No symmetry", "Mirror x", "Mirror y",
                                               "Mirror both", "Turns",    "Full ring"};
     static constexpr std::array balances = {"Balance", "Balance", "Straighten", "New painted layer"};

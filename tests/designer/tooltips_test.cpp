@@ -17,9 +17,9 @@ namespace {
 // pointed at.
 bool speaks_for_itself(const std::string& name) {
     if (name.starts_with("Curve point")) return true;
-    static const std::set<std::string> names = {"File",     "Edit",  "View",    "Help",    "Layers",
-                                                "Material", "Light", "Compare", "Presets", "Canvas",
-                                                "Preview",  "Curve", "Plot"};
+    static const std::set<std::string> names = {"File",   "Edit",     "Select", "View",    "Help",
+                                                "Layers", "Material", "Light",  "Compare", "Presets",
+                                                "Canvas", "Preview",  "Curve",  "Plot"};
     return names.contains(name);
 }
 

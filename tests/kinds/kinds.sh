@@ -61,6 +61,10 @@ echo 'tool half:'
 add half.cpp core/paint/tools/half.cpp
 line core/paint/tool_list.inc 'TOOL(half)'
 
+echo 'tool diamond, which selects:'
+add diamond.cpp core/paint/selections/diamond.cpp
+line core/paint/select_list.inc 'SELECT(diamond)'
+
 cd "$tree"
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 cmake --preset release -DNACRE_TESTS=ON -DNACRE_BENCH=OFF >/dev/null
@@ -101,6 +105,10 @@ $bin/nacre-cli plot design.nacre --what seen -o seen.csv
 printf '%s\n' 'click "Plots"' 'click "Plot seen"' 'frames 5' >plot.events
 $bin/nacre-cli screenshot design.nacre -o plot.png --script plot.events
 printf '%s\n' 'click "Half"' 'drag "Canvas":@10,0 "Canvas":@40,90' 'key Ctrl+S' 'frames 5' >tool.events
+cp design.nacre tool.nacre
+$bin/nacre-cli screenshot tool.nacre -o tool.png --script tool.events
+has tool.nacre painted
+printf '%s\n' 'key J' 'drag "Canvas":0.3,0.3 "Canvas":0.7,0.7' 'key Shift+Backspace' 'key Ctrl+S' 'frames 5' >tool.events
 cp design.nacre tool.nacre
 $bin/nacre-cli screenshot tool.nacre -o tool.png --script tool.events
 has tool.nacre painted

@@ -61,7 +61,8 @@ TEST_CASE("labels: names of layers, in the list, carried and as a field") {
         distribution.layers[0].name = name;
         ui::LayersView view;
         view.chosen = 1;
-        PanelRig rig([&] { ui::layers_panel(view, distribution); });
+        bool paints_mask = false;
+        PanelRig rig([&] { ui::layers_panel(view, distribution, paints_mask); });
         rig.move("Layer 1");
         rig.button(true);
         rig.move("Layer 2");

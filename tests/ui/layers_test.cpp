@@ -13,8 +13,8 @@ namespace {
 struct LayersRig {
     Distribution distribution;
     ui::LayersView view;
-    bool changed = false;
-    PanelRig rig{[this] { changed |= ui::layers_panel(view, distribution); }};
+    bool changed = false, paints_mask = false;
+    PanelRig rig{[this] { changed |= ui::layers_panel(view, distribution, paints_mask); }};
 
     const GaussianLobe& gaussian() const { return std::get<GaussianLobe>(distribution.layers[0].lobe); }
 };
