@@ -19,6 +19,18 @@ constexpr const char* blend_labels[] = {blends[0].label, blends[1].label, blends
 constexpr const char* blend_words[] = {blends[0].about, blends[1].about, blends[2].about, blends[3].about};
 static_assert(std::size(blends) == std::size(blend_labels));
 
+constexpr const char* follows_labels[] = {follows_kinds[0].label, follows_kinds[1].label,
+                                          follows_kinds[2].label};
+constexpr const char* follows_words[] = {follows_kinds[0].about, follows_kinds[1].about,
+                                         follows_kinds[2].about};
+static_assert(std::size(follows_kinds) == std::size(follows_labels));
+
+void follows(const char* label, const char* about, Follows& what) {
+    int index = static_cast<int>(what);
+    combo(label, index, follows_labels, about, follows_words);
+    what = static_cast<Follows>(index);
+}
+
 void percent(const char* label, double low, double high, double reset, const char* about, double& part) {
     double value = part * 100;
     if (slider({.label = label,
@@ -105,6 +117,8 @@ void brush_settings(CanvasState& state) {
     int blend = static_cast<int>(brush.blend);
     combo("Combine", blend, blend_labels, "How paint combines with what the layer has.", blend_words);
     brush.blend = static_cast<Blend>(blend);
+    follows("Size follows", "What of the hand makes the brush wider and narrower.", brush.radius_follows);
+    follows("Flow follows", "What of the hand makes the paint stronger and weaker.", brush.flow_follows);
     slider({.label = "Steady hand",
             .low = 0,
             .high = 100,

@@ -16,6 +16,8 @@ namespace {
 constexpr double pixels_a_step = 2;    // of the way on the screen, so that a quick stroke stays as straight
 constexpr double pixels_a_fold = 110;  // of a drag with Shift that makes the brush e times larger
 constexpr double click_pixels = 3;     // a shorter drag is a click
+constexpr double usual_pace = 700;     // pixels a second
+constexpr double pace_kept = 0.6;  // from one frame to the next, so that the hand's trembling does not show
 
 dvec3 in_layer(const Layer& layer, dvec3 h) { return glm::transpose(layer_frame(layer)) * h; }
 
@@ -47,27 +49,38 @@ void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surfac
     }
     const Raster& raster = *paint->raster();
     state.held = HeldBrush{.paint = *std::move(paint),
-                           .stroke = {raster, std::move(style), at},
+                           .stroke = {raster, std::move(style), at, {.pressure = state.pressure.value_or(1)}},
                            .pixel = surface.pixel,
                            .begin = from,
                            .end = from,
-                           .surface = surface.surface};
+                           .surface = surface.surface,
+                           .touch = {.pressure = state.pressure.value_or(1)}};
 }
 
-void go_to(HeldBrush& held, dvec3 h) {
-    held.stroke.move_to(in_layer(held.paint.before(), h));
+void go_to(HeldBrush& held, dvec3 h, const Touch& touch = {}) {
+    held.stroke.move_to(in_layer(held.paint.before(), h), touch);
     held.end = h;
 }
 
+// The hand after it has gone so many pixels in this frame.
+Touch touch_after(const CanvasState& state, const Touch& before, double pixels) {
+    const double pace = pixels / std::max(static_cast<double>(ImGui::GetIO().DeltaTime), 1e-3);
+    return {state.pressure.value_or(1), std::lerp(1 / (1 + pace / usual_pace), before.slowness, pace_kept)};
+}
+
 // The brush follows the pointer on a string of so many pixels.
-void follow(const BrushSurface& surface, HeldBrush& held, double string) {
+void follow(const CanvasState& state, const BrushSurface& surface, HeldBrush& held, double string) {
     const glm::dvec2 from = held.pixel, off = surface.pixel - from;
     const double length = glm::length(off);
+    const Touch before =
+        std::exchange(held.touch, touch_after(state, held.touch, std::max(length - string, 0.0)));
     if (!(length > string)) return;
     const glm::dvec2 way = off * ((length - string) / length);
     const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) / pixels_a_step)));
     for (int i = 1; i <= steps; ++i)
-        if (const auto h = surface.normal(from + way * (static_cast<double>(i) / steps))) go_to(held, *h);
+        if (const double part = static_cast<double>(i) / steps;
+            const auto h = surface.normal(from + way * part))
+            go_to(held, *h, between(before, held.touch, part));
     held.pixel = from + way;
 }
 
@@ -173,7 +186,7 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, const FacetDi
         return true;
     }
     const bool released = !surface.active;
-    follow(surface, *state.held, released ? 0 : state.steadiness);
+    follow(state, surface, *state.held, released ? 0 : state.steadiness);
     show_stroke(*state.held, distribution);
     if (released) end_stroke(state);
     return true;

@@ -67,6 +67,7 @@ struct HeldBrush {
     glm::dvec2 pixel;  // that the brush has reached
     dvec3 begin, end;  // normals of the press and there
     Surface surface;
+    Touch touch = {};  // of the hand in the newest frame
 };
 
 // Shift is held: a drag sizes the brush, a click draws a line from where the last stroke ended.
@@ -145,7 +146,8 @@ struct CanvasState {
     std::optional<HeldTransform> transform;
     bool paints_mask = false;  // where the chosen layer has one, the tools work on its mask
     std::optional<StrokeEnd> last_stroke;
-    double steadiness = 0;  // pixels that the brush hangs behind the pointer, as on a string
+    std::optional<double> pressure;  // of a pen, 0 to 1; none of a mouse
+    double steadiness = 0;           // pixels that the brush hangs behind the pointer, as on a string
     std::vector<NamedBrush> own_brushes;
     std::string brush_name;  // as it is typed
     std::optional<CarriedLayer> carried;

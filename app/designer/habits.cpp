@@ -31,15 +31,20 @@ Brush read_brush(ObjectReader& object) {
     object.number("spacing", brush.spacing, {spacing_min, spacing_max});
     object.number("value", brush.value, part);
     brush.blend = static_cast<Blend>(choice_of<BlendInfo>(object, "combine", blends));
+    brush.radius_follows =
+        static_cast<Follows>(choice_of<FollowsInfo>(object, "radius_follows", follows_kinds));
+    brush.flow_follows = static_cast<Follows>(choice_of<FollowsInfo>(object, "flow_follows", follows_kinds));
     return brush;
 }
 
 std::string brush_text(const Brush& brush) {
     return fmt::format(
         "\"radius\": {}, \"hardness\": {}, \"flow\": {}, \"opacity\": {}, \"spacing\": {}, "
-        "\"value\": {}, \"combine\": \"{}\"",
+        "\"value\": {}, \"combine\": \"{}\", \"radius_follows\": \"{}\", \"flow_follows\": \"{}\"",
         brush.radius, brush.hardness, brush.flow, brush.opacity, brush.spacing, brush.value,
-        blends[static_cast<std::size_t>(brush.blend)].name);
+        blends[static_cast<std::size_t>(brush.blend)].name,
+        follows_kinds[static_cast<std::size_t>(brush.radius_follows)].name,
+        follows_kinds[static_cast<std::size_t>(brush.flow_follows)].name);
 }
 
 std::string quoted(const std::string& text) {

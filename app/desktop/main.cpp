@@ -14,6 +14,7 @@
 #include "app/designer/imgui_session.h"
 #include "app/desktop/key_latch.h"
 #include "app/desktop/pace.h"
+#include "app/desktop/pen.h"
 #include "app/desktop/start_report.h"
 #include "app/desktop/window.h"
 #include "core/base/system/standard_streams.h"
@@ -50,6 +51,7 @@ void run(const Arguments& arguments) {
         // One that cannot be read is told in the window, which a desktop shows, unlike standard error.
         if (!arguments.design.empty()) nacre::open_at_start(designer, arguments.design);
         nacre::Pace pace;
+        nacre::Pen pen;
         reached("designer");
         while (!designer.files.may_quit()) {
             const bool moves = nacre::in_motion(designer) || ImGui::IsAnyMouseDown();
@@ -63,6 +65,7 @@ void run(const Arguments& arguments) {
             ImGui_ImplGlfw_NewFrame();
             keys.tell();
             for (const std::string& file : keys.take_dropped()) nacre::take_file(designer, file);
+            designer.canvas.state.pressure = pen.pressure();
             ImGui::NewFrame();
             nacre::draw_frame(designer);
             if (nacre::ui::input_waits()) nacre::Window::notice();

@@ -13,6 +13,30 @@ double brush_falloff(const Brush& brush, double distance) {
     return t * t * (3 - 2 * t);
 }
 
+Touch between(const Touch& a, const Touch& b, double part) {
+    return {std::lerp(a.pressure, b.pressure, part), std::lerp(a.slowness, b.slowness, part)};
+}
+
+Brush touched(const Brush& brush, const Touch& touch) {
+    constexpr double narrowest = 0.1;
+    const auto part = [&](Follows what) {
+        switch (what) {
+            case Follows::pressure:
+                return touch.pressure;
+            case Follows::speed:
+                return touch.slowness;
+            case Follows::nothing:
+                break;
+        }
+        return 1.0;
+    };
+    Brush now = brush;
+    now.radius = std::max(brush.radius * std::lerp(narrowest, 1.0, part(brush.radius_follows)),
+                          std::min(brush.radius, brush_radius_min));
+    now.flow = brush.flow * part(brush.flow_follows);
+    return now;
+}
+
 double painted(const Brush& brush, double value, double amount) {
     switch (brush.blend) {
         case Blend::replace:

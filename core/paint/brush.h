@@ -21,6 +21,21 @@ inline constexpr BlendInfo blends[] = {
     {"multiply", "Multiply", "What is there is multiplied by the brush's value: it darkens."},
     {"maximum", "Maximum", "Paint only lightens what is below the brush's value."}};
 
+// What of the hand the size or the flow of a brush follows.
+enum class Follows { nothing, pressure, speed };
+
+struct FollowsInfo {
+    const char* name;   // in the settings
+    const char* label;  // in the list
+    const char* about;
+};
+
+// In the order of the enumeration.
+inline constexpr FollowsInfo follows_kinds[] = {
+    {"nothing", "Nothing", "The same all along the stroke."},
+    {"pressure", "Pen pressure", "More where the pen presses harder; a mouse presses in full."},
+    {"speed", "Speed", "More where the hand is slow, as ink does."}};
+
 struct Brush {
     double radius = 8;      // degrees on the sphere of normals
     double hardness = 0.5;  // part of the radius that is covered in full
@@ -29,9 +44,22 @@ struct Brush {
     double spacing = 0.2;   // between two dabs, radii
     double value = 1;       // that is painted, of full paint
     Blend blend = Blend::replace;
+    Follows radius_follows = Follows::nothing, flow_follows = Follows::nothing;
 
     bool operator==(const Brush&) const = default;
 };
+
+// The hand at a place of its path, each from 0 to 1.
+struct Touch {
+    double pressure = 1;
+    double slowness = 1;  // 1 at rest, 1/2 at a usual pace
+};
+
+// Part of the way from one touch to another.
+Touch between(const Touch& a, const Touch& b, double part);
+
+// The brush under such a hand: at its lightest a tenth as wide, and without effect where flow follows.
+Brush touched(const Brush& brush, const Touch& touch);
 
 inline constexpr double brush_radius_min = 0.5, brush_radius_max = 60;  // degrees
 inline constexpr double spacing_min = 0.05, spacing_max = 2;            // radii

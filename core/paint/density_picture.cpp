@@ -121,12 +121,11 @@ HemispherePicture density_picture(const FacetDistribution* p, const HemisphereVi
                                   const DensityScale& scale, int divisor) {
     static const std::array<glm::u8vec3, colours> table = colour_table();
     return hemisphere_picture(view, divisor, [&](std::span<const dvec3> row) {
-        if (p == nullptr) return std::vector<glm::u8vec3>(row.size(), table[0]);
         Directions directions;
         for (const dvec3 h : row) directions.add(h);
         std::vector<glm::u8vec3> shown;
         shown.reserve(row.size());
-        for (const double density : directions.densities(*p))
+        for (const double density : directions.densities(p))
             shown.push_back(
                 table[static_cast<std::size_t>(std::lround(scale.position(density) * (colours - 1)))]);
         return shown;

@@ -19,18 +19,19 @@ const DabTool* dab_tool(PaintTool tool) { return std::get_if<DabTool>(&info(tool
 
 }  // namespace
 
-Stroke::Stroke(const Raster& before, StrokeStyle style, dvec3 at)
+Stroke::Stroke(const Raster& before, StrokeStyle style, dvec3 at, const Touch& touch)
     : working_(before),
       style_(std::move(style)),
       scratch_(before.width),
       begin_(above_horizon(at)),
       at_(begin_),
+      touch_(touch),
       last_dab_(begin_),
-      to_next_(spacing(style_.brush)) {
+      to_next_(spacing(touched(style_.brush, touch))) {
     if (style_.brush.opacity < 1 || style_.selected) before_ = before.values;
     if (const auto* area = std::get_if<AreaTool>(&info(style_.tool).work)) cover_area(*area);
     const DabTool* dabs = dab_tool(style_.tool);
-    if (dabs != nullptr && dabs->at_press) dab(at_, at_);
+    if (dabs != nullptr && dabs->at_press) dab(at_, at_, touch);
 }
 
 void Stroke::cover_area(const AreaTool& tool) {
@@ -43,10 +44,10 @@ void Stroke::cover_area(const AreaTool& tool) {
     scratch_.paint(working_.values, style_.brush);
 }
 
-void Stroke::dab(dvec3 at, dvec3 from) {
+void Stroke::dab(dvec3 at, dvec3 from, const Touch& touch) {
     dab_tool(style_.tool)
         ->dab(working_,
-              {.brush = style_.brush,
+              {.brush = touched(style_.brush, touch),
                .symmetry = style_.symmetry,
                .at = at,
                .from = from,
@@ -57,22 +58,26 @@ void Stroke::dab(dvec3 at, dvec3 from) {
     published_.reset();
 }
 
-void Stroke::dabs_to(dvec3 to) {
+void Stroke::dabs_to(dvec3 to, const Touch& touch) {
     const dvec3 begin = at_;
     const double way = angle_between(begin, to);
     if (!(way > 0) || way > std::numbers::pi - 1e-6) return;
     const dvec3 across = glm::normalize(to - begin * glm::dot(begin, to));
     double gone = to_next_;
-    for (; gone <= way; gone += spacing(style_.brush))
-        dab(begin * std::cos(gone) + across * std::sin(gone), last_dab_);
+    while (gone <= way) {
+        const Touch now = between(touch_, touch, gone / way);
+        dab(begin * std::cos(gone) + across * std::sin(gone), last_dab_, now);
+        gone += spacing(touched(style_.brush, now));
+    }
     to_next_ = gone - way;
     at_ = to;
+    touch_ = touch;
 }
 
-void Stroke::move_to(dvec3 to) {
+void Stroke::move_to(dvec3 to, const Touch& touch) {
     to = above_horizon(to);
     if (const DabTool* dabs = dab_tool(style_.tool)) {
-        if (dabs->follows_way) dabs_to(to);
+        if (dabs->follows_way) dabs_to(to, touch);
     } else if (to != at_ && !std::holds_alternative<AreaTool>(info(style_.tool).work)) {
         at_ = to;
         published_.reset();

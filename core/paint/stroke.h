@@ -27,29 +27,30 @@ struct StrokeStyle {
 // Directions are unit vectors in the layer's frame; those below its horizon count as the rim.
 class Stroke {
   public:
-    Stroke(const Raster& before, StrokeStyle style, dvec3 at);
+    Stroke(const Raster& before, StrokeStyle style, dvec3 at, const Touch& touch = {});
 
     // Continues there along the great circle. Dabs are as far apart as the brush's spacing says, however the
     // path is split: splitting a great circle moves them by rounding alone. A shape goes straight from the
-    // beginning to here.
-    void move_to(dvec3 to);
+    // beginning to here. The touch changes evenly on the way.
+    void move_to(dvec3 to, const Touch& touch = {});
 
     // The layer's raster with the stroke so far. The same pointer for as long as nothing is added.
     std::shared_ptr<const Raster> raster();
 
   private:
-    void dab(dvec3 at, dvec3 from);
+    void dab(dvec3 at, dvec3 from, const Touch& touch);
     void cover_area(const AreaTool& tool);
     double share(std::size_t texel) const;
     std::shared_ptr<const Raster> stroked() const;
-    void dabs_to(dvec3 to);
+    void dabs_to(dvec3 to, const Touch& touch);
 
     Raster working_;             // a shape leaves it as it was
     std::vector<float> before_;  // values, where opacity or selection mixes them in
     StrokeStyle style_;
     Coverage scratch_;
     dvec3 begin_;
-    dvec3 at_;  // end of the path so far
+    dvec3 at_;     // end of the path so far
+    Touch touch_;  // there
     dvec3 last_dab_;
     double to_next_ = 0;  // distance to the next dab, radians
     std::shared_ptr<const Raster> published_;
