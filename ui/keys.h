@@ -10,7 +10,8 @@ struct ImGuiIO;
 namespace nacre::ui {
 
 namespace key {
-inline constexpr int escape = 256, enter = 257, tab = 258, remove = 261, down = 264, up = 265;
+inline constexpr int escape = 256, enter = 257, tab = 258, remove = 261, right = 262, left = 263, down = 264,
+                     up = 265;
 }
 
 // The number of a key that has a name of more than one letter: "Escape", "F12".

@@ -9,7 +9,9 @@
 namespace nacre {
 namespace {
 
-bool nothing_held() { return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click(); }
+bool nothing_held(const Designer& designer) {
+    return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click() && !designer.remake.busy();
+}
 
 AtRest at_rest(const Designer& designer) {
     return {.scene = designer.scene,
@@ -29,18 +31,19 @@ void take_back(Designer& designer) {
     designer.plots.state = rest.plots;
     designer.preview.look.divider = rest.divider;
     designer.layers.chosen = rest.layer;
+    designer.layers.remake.reset();
 }
 
 }  // namespace
 
 void end_click(Designer& designer) {
-    if (nothing_held()) designer.document.commit();
+    if (nothing_held(designer)) designer.document.commit();
 }
 
 void end_edit(Designer& designer) {
     ui::take_escape_of_drag();
     if (ui::drag_taken_back()) take_back(designer);
-    if (!nothing_held()) return;
+    if (!nothing_held(designer)) return;
     designer.document.commit();
     designer.rest = at_rest(designer);
 }

@@ -68,6 +68,7 @@ void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass,
         layer.enabled = false;
     }
     std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
+    layer.source.reset();
 }
 
 void make_room_for_paint(Distribution& distribution, std::size_t layer, double mass) {
