@@ -17,6 +17,10 @@ void source_editor(const Layer& layer, LayersView& view) {
     bool changed = source_fields(source);
     changed |= button("Read again##Read picture again",
                       "Make the layer once more from the picture as it is on the disk now.");
+    if (being_made) {
+        ImGui::SameLine();
+        dim_text("Being made \u2026");
+    }
     if (changed) view.remake = LayersView::Remake{view.chosen, source};
     if (view.source_trouble && view.source_trouble->image == source.image) {
         warning_text(as_utf8(view.source_trouble->words));

@@ -56,7 +56,10 @@ class ImageImport {
 
     bool talking() const { return file_ || chooser_.open() || !problem_.empty(); }
     const std::string& problem() const { return problem_; }  // shown until it is read
-    bool reading() const { return file_ && !settings_; }     // nothing is known of the picture yet
+    bool choosing() const {
+        return file_ && !making_ && problem_.empty();
+    }                                                     // another file may take its place
+    bool reading() const { return file_ && !settings_; }  // nothing is known of the picture yet
     bool in_motion() const { return chooser_.has_answer(); }
     void wait() const { job_.wait(); }
 

@@ -80,11 +80,11 @@ TEST_CASE("import: a picture is read while the window goes on, and Escape gives 
     r.play("frames 3");
     CHECK(!r.designer().pictures.talking());
     CHECK(r.document().design == before);
-    // What was given up does not come back with the next one.
+    // The newest file counts, and what was given up does not come back with it.
     write_sky(r.folder / "sky.exr");
     take_file(r.designer(), r.folder / "large.exr");
     r.stage.frame(false);
-    r.play("key Escape\n" + r.drop("sky.exr") + "key Enter\nwait\nframes 3");
+    r.play(r.drop("sky.exr") + "key Enter\nwait\nframes 3");
     CHECK(r.document().design == before);
     REQUIRE(r.designer().scene.environment.picture);
 }
@@ -226,4 +226,38 @@ TEST_CASE("import: what is no picture is said in words before its path") {
         r.play("key Enter\nframes 3");
         CHECK(!r.designer().pictures.talking());
     }
+}
+
+TEST_CASE("import: every part of the dialog and of the layer that it makes explains itself") {
+    FolderRig r;
+    write_ridge(r.folder / "ridge.exr", 64);
+    const auto explained = [&](std::initializer_list<const char*> names) {
+        for (const char* name : names) {
+            CAPTURE(name);
+            r.play("move \"" + std::string(name) + "\"\nframes 40");
+            CHECK(r.stage.items().tooltip().size() > 10);
+        }
+    };
+    r.play(r.drop("ridge.exr"));
+    explained({"As Stamp", "As Normals", "As Heights", "As Modulation", "As Environment map", "Import",
+               "Cancel", "Up (OpenGL)", "Down (DirectX)", "0.5 is zero", "Signed", "x, y and z", "x and y",
+               "Smoothing", "Picture rotation", "Flip picture"});
+    r.play(r.card("Heights"));
+    explained({"Height"});
+    r.play(r.card("Stamp"));
+    explained({"Picture size"});
+    r.play("frames 30\n" + r.import("Normals"));
+    explained({"Down (DirectX)", "Smoothing", "Picture rotation", "Flip picture", "Read picture again"});
+}
+
+TEST_CASE("import: a stamp and an environment that cannot be read are said in words too") {
+    FolderRig r;
+    std::ofstream(r.folder / "notes.txt") << "not a picture, but words\n";
+    r.designer().stamps.want(r.folder / "notes.txt");
+    r.play("wait\nframes 3");
+    CHECK(r.designer().stamps.problem().starts_with("\u201cnotes.txt\u201d cannot be used. A text, "));
+    r.play("key Enter\nframes 3");
+    r.designer().environment.want((r.folder / "notes.txt").string());
+    r.play("wait\nframes 3");
+    CHECK(r.designer().environment.problem().starts_with("\u201cnotes.txt\u201d cannot be used. A text, "));
 }

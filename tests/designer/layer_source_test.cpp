@@ -83,6 +83,20 @@ TEST_CASE("layer source: Escape takes a drag back, and nothing of it comes later
     CHECK(!r.designer().layers.remake);
 }
 
+TEST_CASE("layer source: undo takes back a change that is still being made") {
+    Rig r;
+    const Design before = r.document().design;
+    r.designer().layers.remake = ui::LayersView::Remake{1, *r.layer().source};
+    r.designer().layers.remake->source.flip = true;
+    r.stage.frame(false);
+    CHECK(r.designer().remake.busy());
+    r.play("key Ctrl+Z");
+    r.designer().remake.wait();
+    r.play("frames 5");
+    CHECK(!r.designer().remake.busy());
+    CHECK(r.document().design == before);
+}
+
 TEST_CASE("layer source: painting and carrying end it, undo brings it back") {
     for (const char* stroke : {"click \"Paint\"\nclick \"Canvas\":@10,0\n",
                                "click \"Grab\"\ndrag \"Canvas\":@30,90 \"Canvas\":@20,0\n"}) {

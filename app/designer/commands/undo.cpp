@@ -1,3 +1,6 @@
+#include <optional>
+#include <utility>
+
 #include "app/designer/command.h"
 
 namespace nacre {
@@ -9,6 +12,12 @@ const Command undo_command{
              .about = "Take back a stroke or a drag.",
              .repeats = true},
     .enabled = [](const Designer& designer) { return designer.document.history.can_undo(); },
-    .perform = [](Designer& designer, std::size_t) { designer.document.undo(); }};
+    .perform =
+        [](Designer& designer, std::size_t) {
+            if (std::exchange(designer.layers.remake, std::nullopt))  // an edit that has not ended
+                designer.document.design = designer.document.history.current();
+            else
+                designer.document.undo();
+        }};
 
 }  // namespace nacre
