@@ -12,29 +12,37 @@ namespace {
 struct Option {
     const char* label;
     const char* tooltip;
+    const char* short_label = nullptr;  // with the same name, where there is no room for both labels
 };
 
 // Two buttons side by side, the chosen one lit. Returns whether the other was chosen.
 bool either(const char* label, const Option& no, const Option& yes, bool& value) {
     const bool before = value;
     row_label(label, nullptr);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const bool fits =
+        button_width(no.label) + gap + button_width(yes.label) <= ImGui::GetContentRegionAvail().x;
     for (const bool second : {false, true}) {
         const Option& option = second ? yes : no;
-        if (second) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (second) ImGui::SameLine(0, gap);
         const bool lit = before == second;
         if (lit) ImGui::PushStyleColor(ImGuiCol_Button, palette::accent_dim);
-        if (button(option.label, option.tooltip)) value = second;
+        const char* text = fits || option.short_label == nullptr ? option.label : option.short_label;
+        if (button(text, option.tooltip)) value = second;
         if (lit) ImGui::PopStyleColor();
     }
     return value != before;
 }
 
 bool reading_fields(NormalReading& reading, const NormalMapLook* look) {
-    bool changed =
-        either("Green", {"Up (OpenGL)", "Green is y toward the picture's upper edge."},
-               {"Down (DirectX)",
-                "Green is y toward the picture's lower edge: what looks like a bump is a dent else."},
-               reading.green_down);
+    bool changed = either(
+        "Green",
+        {"Up (OpenGL)", "Green is y toward the picture's upper edge, as OpenGL has it.", "Up##Up (OpenGL)"},
+        {"Down (DirectX)",
+         "Green is y toward the picture's lower edge, as DirectX has it. Bumps look like dents "
+         "where this is the other way round.",
+         "Down##Down (DirectX)"},
+        reading.green_down);
     if (look != nullptr && look->green_down && *look->green_down != reading.green_down)
         text_row("", *look->green_down ? "Its slopes fit together better with green down."
                                        : "Its slopes fit together better with green up.");

@@ -248,6 +248,8 @@ TEST_CASE("import: every part of the dialog and of the layer that it makes expla
     explained({"Picture size"});
     r.play("frames 30\n" + r.import("Normals"));
     explained({"Down (DirectX)", "Smoothing", "Picture rotation", "Flip picture", "Read picture again"});
+    // Whole, also where the panel is narrow.
+    CHECK(r.stage.items().rectangle("Down (DirectX)")->z <= r.stage.items().rectangle("Smoothing")->z);
 }
 
 TEST_CASE("import: a stamp and an environment that cannot be read are said in words too") {
