@@ -35,6 +35,7 @@ Layer dragged(const CarriedLayer& held, dvec3 to, const Layer& now) {
     if (!raster) return now;
     Layer layer = held.before;
     std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
+    layer.source.reset();
     return layer;
 }
 

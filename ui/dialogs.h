@@ -45,6 +45,9 @@ DialogAnswer file_dialog(FileDialog& dialog, const ListDirectory& list, std::fil
 bool begin_dialog(const char* title, float ems);
 void end_dialog(bool done);
 
+// While something is waited for. Returns whether it is given up, by the button or by Escape.
+bool waiting_dialog(const char* title, const std::string& text);
+
 // A modal question; returns the index of the pressed button. Escape presses the last one, Enter the first,
 // but while a number is typed into one of the `fields`, which stand between the text and the buttons.
 std::optional<int> question(const char* title, const std::string& text,

@@ -22,6 +22,7 @@ bool take_escape() {
 }
 
 bool take_escape_of_drag() {
+    if (ImGui::GetFrameCount() < taken_back) taken_back = -1;  // of a window before this one
     if (!ImGui::IsAnyItemActive() || !ImGui::IsAnyMouseDown() || !take_escape()) return false;
     ImGui::ClearActiveID();
     taken_back = ImGui::GetFrameCount();

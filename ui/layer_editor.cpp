@@ -164,12 +164,14 @@ bool layer_editor(Layer& layer, LayersView& view, bool& paints_mask) {
                "they do not reflect is lost, so that energy and reciprocity hold.");
     if (view.expert) {
         changed |= kind_of_lobe(layer.lobe);
+        if (!std::holds_alternative<PaintedLobe>(layer.lobe)) layer.source.reset();
         changed |= lobe_fields(layer.lobe, view);
         ImGui::Spacing();
         changed |= orientation(layer);
     } else if (!shape_of(layer.lobe)) {
         changed |= lobe_fields(layer.lobe, view);
     }
+    source_editor(layer, view);
     changed |= mask(layer, paints_mask);
     return changed;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -28,6 +29,18 @@ struct LayersView {
     bool carried = false;                  // the chosen layer, by the pointer to another place of the list
     bool linked = false;                   // the widths along x and y keep their ratio
     bool expert = true;                    // all numbers show, and not only what an artist calls them
+    // Settings that a layer is to be made with again from its picture. Whoever does it takes this back.
+    struct Remake {
+        std::size_t layer = 0;
+        PictureSource source;
+        bool operator==(const Remake&) const = default;
+    };
+    std::optional<Remake> remake;
+    struct SourceTrouble {
+        std::filesystem::path image;
+        std::string words;  // why nothing can be made of it
+    };
+    std::optional<SourceTrouble> source_trouble;
     LayerThumbnails thumbnails;
     CurveView curve;
 };
@@ -40,5 +53,8 @@ bool layers_panel(LayersView& view, Distribution& distribution, bool& paints_mas
 
 // The parameters of one layer.
 bool layer_editor(Layer& layer, LayersView& view, bool& paints_mask);
+
+// Of the chosen layer, where its raster was made from a picture: the settings, which view.remake follows.
+void source_editor(const Layer& layer, LayersView& view);
 
 }  // namespace nacre::ui

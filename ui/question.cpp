@@ -29,6 +29,19 @@ void end_dialog(bool done) {
     ImGui::EndPopup();
 }
 
+bool waiting_dialog(const char* title, const std::string& text) {
+    if (!begin_dialog(title, 28)) return false;
+    const bool appears = ImGui::IsWindowAppearing();
+    ImGui::TextWrapped("%s", as_utf8(text).c_str());
+    ImGui::Dummy(ImVec2(0, ImGui::GetFontSize() * 0.6f));
+    const float width = ImGui::GetFontSize() * 7;
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    const bool pressed = button("Cancel", "Give it up. Escape does too.", true, width);
+    const bool given_up = pressed || (!appears && take_escape());
+    end_dialog(given_up);
+    return given_up;
+}
+
 std::optional<int> question(const char* title, const std::string& text,
                             const std::vector<std::string>& buttons, const std::function<void()>& fields) {
     const float button_width = ImGui::GetFontSize() * 7;

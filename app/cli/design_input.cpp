@@ -21,6 +21,8 @@ Design read_design(const fs::path& file) {
 
 std::vector<fs::path> files_of(const Design& design, const fs::path& file) {
     std::vector<fs::path> files = picture_files(design);
+    const std::vector<fs::path> sources = source_files(design);
+    files.insert(files.end(), sources.begin(), sources.end());
     files.insert(files.begin(), file == stream_name ? "/dev/stdin" : file);
     return files;
 }

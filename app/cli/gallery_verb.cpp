@@ -74,8 +74,8 @@ void check_all(const std::vector<fs::path>& designs, const std::vector<fs::path>
     for (const fs::path& file : designs) {
         interrupt.check();
         try {
-            const std::vector<fs::path> pictures = picture_files(load_design(file));
-            inputs.insert(inputs.end(), pictures.begin(), pictures.end());
+            const std::vector<fs::path> files = files_of(load_design(file), file);
+            inputs.insert(inputs.end(), files.begin(), files.end());
         } catch (const UserError&) {
         }
     }

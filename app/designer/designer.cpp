@@ -177,6 +177,7 @@ void draw_all(Designer& designer) {
                 .canvas = [&] { designer.canvas.work(designer.frame, document.design, designer.layers); },
                 .preview = [&] { work_on_preview(designer); },
                 .history = [&] { draw_history(designer.document); }});
+    designer.remake.follow(designer.layers, document.design.distribution);
     follow_hints(designer);
     follow_trial(designer);
     follow_held_key(designer);
@@ -194,6 +195,8 @@ void draw_all(Designer& designer) {
                 .status = [&] { draw_status(designer); }});
     designer.environment.follow(designer.scene.environment);
     designer.stamps.follow(designer.canvas.state, file_dialogs(designer));
+    designer.pictures.follow(document.design.distribution, designer.layers.chosen,
+                             designer.canvas.state.scale);
     follow_files(designer);
     draw_dialogs(designer);
 
@@ -216,6 +219,8 @@ Designer::Designer(const DesignerOptions& given)
       baker(options.bake_threads, options.wake),
       comparison(options.bake_threads, options.wake),
       watch(options.wake),
+      pictures(options.wake),
+      remake(options.wake),
       stamps(options.wake),
       exporter(options.folder_opener),
       presets(list_presets(presets_folder() / "highlights")) {
@@ -242,8 +247,9 @@ void draw_frame(Designer& designer) {
 
 bool in_motion(const Designer& designer) {
     return !designer.frame.settled || designer.environment.in_motion() || designer.objects.in_motion() ||
-           designer.stamps.in_motion() || designer.plots.saving.in_motion() ||
-           designer.preview.accumulating() || designer.files.has_answer() || designer.exporter.in_motion() ||
+           designer.stamps.in_motion() || designer.pictures.in_motion() ||
+           designer.plots.saving.in_motion() || designer.preview.accumulating() ||
+           designer.files.has_answer() || designer.exporter.in_motion() ||
            designer.pictures_of_preview.in_motion() || designer.thumbnails.busy() ||
            designer.comparison.in_motion() || designer.other_since.has_value();
 }

@@ -21,6 +21,7 @@
 #include "app/designer/folder.h"
 #include "app/designer/frame.h"
 #include "app/designer/image_import.h"
+#include "app/designer/layer_remake.h"
 #include "app/designer/layout.h"
 #include "app/designer/object_chooser.h"
 #include "app/designer/plots_pane.h"
@@ -73,6 +74,7 @@ struct Designer {
     FileWatch watch;
     ChangedPictures changed_pictures;
     ImageImport pictures;
+    LayerRemake remake;
     StampChooser stamps;
     EnvironmentPanel environment;
     PlotsPane plots;

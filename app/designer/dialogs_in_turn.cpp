@@ -15,6 +15,12 @@ void tell(Designer& designer, const std::optional<std::string>& message) {
     if (message) designer.files.tell(*message);
 }
 
+void take_in_hand(ui::CanvasState& canvas, ImageImport::Stamp stamp) {
+    canvas.stamps.push_back(std::move(stamp.stamp));
+    canvas.stamp = canvas.stamps.size() - 1;
+    canvas.pose = stamp.pose;
+}
+
 }  // namespace
 
 void draw_dialogs(Designer& designer) {
@@ -49,10 +55,10 @@ void draw_dialogs(Designer& designer) {
     else if (designer.stamps.talking())
         designer.stamps.talk();
     else
-        designer.pictures.draw(document.design.distribution, designer.layers.chosen);
+        designer.pictures.draw(document.design.distribution);
     tell(designer, designer.pictures.take_note());
     tell(designer, designer.stamps.take_note());
-    if (auto stamp = designer.pictures.take_stamp()) designer.stamps.want(std::move(*stamp));
+    if (auto stamp = designer.pictures.take_stamp()) take_in_hand(designer.canvas.state, *std::move(stamp));
     if (auto picture = designer.pictures.take_environment()) designer.environment.want(picture->string());
 }
 

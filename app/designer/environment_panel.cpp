@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/error.h"
+#include "app/designer/picture_trouble.h"
 #include "core/formats/environment_file.h"
 #include "core/image/picture.h"
 #include "core/light/procedural.h"
@@ -140,7 +140,7 @@ void EnvironmentPanel::follow(SceneEnvironment& environment) {
             environment.picture = std::move(published->result->picture);
             held_ = std::move(published->result->held);
         } else {
-            problem_ = problem_line(published->error);
+            problem_ = picture_trouble(name, published->error);
             if (last_file_ == name) last_file_.clear();
         }
     }

@@ -7,7 +7,8 @@ std::optional<DialogProgram> file_dialogs(const Designer& designer) {
 }
 
 void take_file(Designer& designer, const std::filesystem::path& file) {
-    if (talking(designer)) return;
+    const bool is_picture = file.extension() != design_extension && !names_object(file.string());
+    if (talking(designer) && !(is_picture && designer.pictures.choosing())) return;
     if (file.extension() == design_extension)
         designer.files.open_file(designer.document, file);
     else if (names_object(file.string()))

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/designer/picture_notes.h"
-#include "core/base/error.h"
+#include "app/designer/picture_trouble.h"
 
 namespace nacre {
 
@@ -36,7 +36,7 @@ void StampChooser::follow(ui::CanvasState& canvas, const std::optional<DialogPro
     auto read = job_.poll();
     if (!read) return;
     if (read->error) {
-        problem_ = problem_line(read->error);
+        problem_ = picture_trouble(file_, read->error);
         return;
     }
     canvas.stamps.push_back(std::move(read->result->stamp));

@@ -11,9 +11,10 @@
 namespace nacre {
 namespace {
 
-bool nothing_held() {
+bool nothing_held(const Designer& designer) {
     const ui::KeyboardFocus* const focus = ui::keyboard_focus();
-    return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click() && !(focus && focus->is_changing());
+    return !ImGui::IsAnyItemActive() && !ui::slider_awaits_second_click() &&
+           !(focus && focus->is_changing()) && !designer.remake.busy();
 }
 
 // What is neither applied nor taken back is no step yet.
@@ -46,19 +47,20 @@ void take_back(Designer& designer) {
     designer.plots.state = rest.plots;
     designer.preview.look.divider = rest.divider;
     designer.layers.chosen = rest.layer;
+    designer.layers.remake.reset();
 }
 
 }  // namespace
 
 void end_click(Designer& designer) {
     apply_for_click_elsewhere(designer);
-    if (nothing_held()) commit(designer);
+    if (nothing_held(designer)) commit(designer);
 }
 
 void end_edit(Designer& designer) {
     ui::take_escape_of_drag();
     if (ui::drag_taken_back()) take_back(designer);
-    if (!nothing_held()) return;
+    if (!nothing_held(designer)) return;
     commit(designer);
     designer.rest = at_rest(designer);
 }

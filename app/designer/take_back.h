@@ -26,7 +26,8 @@ struct AtRest {
 void end_click(Designer& designer);
 
 // At the end of a frame. A drag that Escape takes back leaves the design as its newest step of undo has it,
-// and the rest as it was; else each drag, double click or typed text is one step once nothing is held.
+// and the rest as it was; else each drag, double click or typed text is one step once nothing is
+// held and what a picture makes of it has come.
 void end_edit(Designer& designer);
 
 }  // namespace nacre

@@ -12,9 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The pictures of the design, the environment map and the object, where they came from files.
+// The pictures of the design and those that layers were made from, the environment map and the object, where
+// they came from files.
 std::vector<fs::path> referred_files(const Designer& designer) {
     std::vector<fs::path> files = picture_files(designer.document.design);
+    const std::vector<fs::path> sources = source_files(designer.document.design);
+    files.insert(files.end(), sources.begin(), sources.end());
     for (const HeldFiles* held : {&designer.environment.held(), &designer.objects.held()})
         for (const auto& [file, content] : *held) files.push_back(file);
     return files;

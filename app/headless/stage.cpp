@@ -54,6 +54,8 @@ void HeadlessDesigner::wait_for_bake() {
     designer_->baker.wait();
     designer_->environment.wait();
     designer_->stamps.wait();
+    designer_->pictures.wait();
+    designer_->remake.wait();
     designer_->comparison.wait();
     frame(false);
 }
@@ -120,6 +122,8 @@ void HeadlessDesigner::play(const Event& event, const std::string& file) {
         for (int i = 0; i < frames->count; ++i) frame(false);
     } else if (const auto* drop = std::get_if<events::Drop>(&event.what)) {
         take_file(*designer_, drop->file);
+        frame(false);
+        designer_->pictures.wait();
         frame(false);
         frame(false);
     } else if (std::holds_alternative<events::Focus>(event.what)) {

@@ -10,6 +10,7 @@
 #include "core/base/input_file.h"
 #include "core/base/system/atomic_file.h"
 #include "core/design/design_file.h"
+#include "core/design/source_json.h"
 
 namespace nacre {
 namespace {
@@ -71,12 +72,8 @@ struct Target {
     std::string file;
 };
 
-std::string picture_text(const Picture& picture, const std::string& where, const Target& target) {
-    if (picture.file.empty()) {
-        assert(picture.raster);
-        return raster_text(*picture.raster);
-    }
-    const fs::path whole = fs::absolute(picture.file).lexically_normal();
+std::string path_text(const fs::path& file, const std::string& where, const Target& target) {
+    const fs::path whole = fs::absolute(file).lexically_normal();
     const std::string path =
         (target.base_dir.empty() ? whole : whole.lexically_relative(target.base_dir)).generic_string();
     try {
@@ -84,6 +81,12 @@ std::string picture_text(const Picture& picture, const std::string& where, const
     } catch (const nlohmann::json::exception&) {
         throw UserError(target.file, where, "a picture's path must be UTF-8 to stand in a design", path);
     }
+}
+
+std::string picture_text(const Picture& picture, const std::string& where, const Target& target) {
+    if (!picture.file.empty()) return path_text(picture.file, where, target);
+    assert(picture.raster);
+    return raster_text(*picture.raster);
 }
 
 std::string curve_text(const std::vector<std::pair<double, double>>& points) {
@@ -154,6 +157,10 @@ std::string layer_text(const Layer& layer, const std::string& where, const Targe
     text += fmt::format(", \"tilt\": {}, \"azimuth\": {}, \"rotation\": {}", number(layer.tilt),
                         number(layer.azimuth), number(layer.rotation));
     if (is_tinted(layer)) text += fmt::format(", \"tint\": {}", colour(layer.tint));
+    if (layer.source)
+        text += fmt::format(
+            ", \"source\": {}",
+            source_text(*layer.source, path_text(layer.source->image, where + ".source.image", target)));
     text += lobe_pictures_text(layer.lobe, where, target);
     if (layer.modulation)
         text += fmt::format(", \"modulation\": {{\"strength\": {}, \"image\": {}}}",
@@ -190,8 +197,10 @@ std::string design_text(const Design& design, const Target& target) {
 
 int version_of(const Design& design) {
     const std::vector<Layer>& layers = design.distribution.layers;
-    const bool tinted = std::any_of(layers.begin(), layers.end(), is_tinted);
-    return tinted || design.specular != Specular{} ? 2 : 1;
+    const bool newer = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
+        return is_tinted(layer) || layer.source.has_value();
+    });
+    return newer || design.specular != Specular{} ? 2 : 1;
 }
 
 std::string design_json(const Design& design, const fs::path& base_dir) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/design/kind_read.h"
+#include "core/design/source_json.h"
 
 namespace nacre {
 namespace {
@@ -30,6 +31,8 @@ Layer read_layer(const JsonValue& json, const std::filesystem::path& base_dir) {
     reader.number("azimuth", layer.azimuth, {-limits::angle_max, limits::angle_max});
     reader.number("rotation", layer.rotation, {-limits::angle_max, limits::angle_max});
     reader.colour("tint", layer.tint, {0, 1});
+    if (std::holds_alternative<PaintedLobe>(layer.lobe) && reader.has("source"))
+        layer.source = read_source(reader.at("source"), base_dir);
     if (reader.has("modulation")) layer.modulation = read_modulation(reader.at("modulation"), base_dir);
     reader.finish(fmt::format("a layer with the lobe \"{}\"", kind_name(layer.lobe)));
     load_pictures(reader, layer.lobe, base_dir);

@@ -5,14 +5,27 @@
 #include "core/design/design_pictures.h"
 
 namespace nacre {
+namespace {
 
-std::vector<std::filesystem::path> picture_files(const Design& design) {
-    std::vector<std::filesystem::path> files;
-    const auto add = [&](const Picture& picture, const std::string&) {
-        if (!picture.file.empty() && std::find(files.begin(), files.end(), picture.file) == files.end())
-            files.push_back(picture.file);
-    };
-    for_each_picture(design, add);
+using Files = std::vector<std::filesystem::path>;
+
+void add_once(Files& files, const std::filesystem::path& file) {
+    if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+}
+
+}  // namespace
+
+Files picture_files(const Design& design) {
+    Files files;
+    for_each_picture(design,
+                     [&](const Picture& picture, const std::string&) { add_once(files, picture.file); });
+    return files;
+}
+
+Files source_files(const Design& design) {
+    Files files;
+    for (const Layer& layer : design.distribution.layers)
+        if (layer.source) add_once(files, layer.source->image);
     return files;
 }
 

@@ -14,13 +14,14 @@
 
 namespace nacre {
 
-// The functions of core/image/picture.h and image_file.h that need OpenImageIO.
+// The functions of core/image/picture.h, clear_part.h and image_file.h that need OpenImageIO.
 struct PictureModule {
     const char* version;  // of Nacre; first, and the same in all: the program may be of another
     Raster (*load_picture)(const std::filesystem::path&, const std::string&, const std::string&, PictureShape,
                            PictureNotes*);
     Raster (*load_stamp)(const std::filesystem::path&, PictureNotes*);
     ColourPicture (*load_colours)(const std::filesystem::path&, PictureNotes*);
+    double (*load_clear_part)(const std::filesystem::path&);
     LatLong (*load_lat_long)(const std::filesystem::path&, PictureNotes*);
     ImageBytes (*png_bytes)(glm::ivec2, std::span<const std::uint8_t>);
     ImageBytes (*exr_bytes)(glm::ivec2, const std::vector<std::string>&, std::span<const float>);

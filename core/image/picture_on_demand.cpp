@@ -1,5 +1,5 @@
-// The functions of picture.h and image_file.h that need OpenImageIO: each loads the library of core/pictures
-// when it is first called, and passes the call on.
+// The functions of picture.h, clear_part.h and image_file.h that need OpenImageIO: each loads the library of
+// core/pictures when it is first called, and passes the call on.
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/system/shared_library.h"
+#include "core/image/clear_part.h"
 #include "core/image/image_file.h"
 #include "core/image/picture.h"
 #include "core/image/picture_cache.h"
@@ -91,6 +92,8 @@ ColourPicture load_colours(const fs::path& file, PictureNotes* notes) {
         file, "colours", notes, [&](PictureNotes& found) { return pictures().load_colours(file, &found); },
         [](const ColourPicture& picture) { return picture.colours.size() * sizeof(glm::vec3); });
 }
+
+double load_clear_part(const fs::path& file) { return pictures().load_clear_part(file); }
 
 LatLong load_lat_long(const fs::path& file, PictureNotes* notes) {
     return *decoded_once<LatLong>(

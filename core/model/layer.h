@@ -8,6 +8,7 @@
 
 #include "core/model/lobes.h"
 #include "core/model/modulation.h"
+#include "core/model/picture_source.h"
 
 namespace nacre {
 
@@ -21,6 +22,8 @@ struct Layer {
     double azimuth = 0;   // ... toward this azimuth
     std::optional<Modulation> modulation;
     glm::dvec3 tint{1};  // reflectance of its facets besides F, each colour 0 to 1
+    // Of a painted lobe, where its raster was made from a picture and is still as it was made.
+    std::optional<PictureSource> source = {};
 
     bool operator==(const Layer&) const = default;
 };

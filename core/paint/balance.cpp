@@ -209,6 +209,7 @@ void reweight(Layer& layer, const Member& member, dvec2 lambda, dvec2 mean) {
             after->values[i] = static_cast<float>(highest_before * std::exp(logs[i] - highest));
     settle(after->values, along);
     picture = {{}, std::make_shared<const Raster>(extended_past_rim(*after))};
+    layer.source.reset();
 }
 
 // The lobe turned so that its mean normal has another part along the surface.

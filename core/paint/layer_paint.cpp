@@ -117,6 +117,7 @@ Layer LayerPaint::with(std::shared_ptr<const Raster> raster) const {
     Layer layer = before_;
     const double after = mass(*raster);
     *part_picture(layer, part_) = {{}, std::move(raster)};
+    if (part_ == LayerPart::lobe) layer.source.reset();
     weigh_by_paint(layer, mass_, after, first_weight_);
     return layer;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/paint/pixel_normal.h"
 
 namespace nacre {
 namespace {
@@ -119,27 +120,31 @@ std::optional<bool> green_by_curl(const ColourPicture& picture, const NormalRead
 
 }  // namespace
 
+dvec3 pixel_normal(const ColourPicture& picture, const NormalReading& reading, std::size_t pixel) {
+    return components(picture.colours[pixel], reading);
+}
+
 NormalMapLook look_at_normal_map(const ColourPicture& picture) {
     NormalMapLook look{reading_of(picture), {}};
     if (picture.channels > 1) look.green_down = green_by_curl(picture, look.reading);
     return look;
 }
 
-std::vector<dvec3> normals_of_map(const ColourPicture& picture, const NormalReading& reading) {
+std::vector<dvec3> normals_of_map(const ColourPicture& picture, const NormalReading& reading, int step) {
     if (picture.channels < 2)
         throw UserError("", "normals", "a map of normals must have red and green", "grey alone");
     std::vector<dvec3> normals;
-    for (std::size_t i = 0; i < picture.colours.size(); ++i) {
+    visit_pixels(picture, step, [&](std::size_t i) {
         const dvec3 n = components(picture.colours[i], reading);
         if (kind_of(picture, reading, i, n) == Kind::normal) normals.push_back(glm::normalize(n));
-    }
+    });
     return normals;
 }
 
-NormalCounts count_normals(const ColourPicture& picture, const NormalReading& reading) {
+NormalCounts count_normals(const ColourPicture& picture, const NormalReading& reading, int step) {
     NormalCounts counts;
-    counts.pixels = picture.colours.size();
-    for (std::size_t i = 0; i < picture.colours.size(); ++i) {
+    visit_pixels(picture, step, [&](std::size_t i) {
+        ++counts.pixels;
         const dvec3 n = components(picture.colours[i], reading);
         switch (kind_of(picture, reading, i, n)) {
             case Kind::empty:
@@ -151,7 +156,7 @@ NormalCounts count_normals(const ColourPicture& picture, const NormalReading& re
             case Kind::normal:
                 if (std::abs(glm::length(n) - 1) > resized_by) ++counts.resized;
         }
-    }
+    });
     return counts;
 }
 
@@ -166,7 +171,7 @@ std::string note_on(const NormalCounts& counts) {
     return text.empty() ? text : fmt::format("of {} pixels {}", counts.pixels, text);
 }
 
-std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth) {
+std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth, int step) {
     const auto height = [&](int row, int column) {
         const int i = (row + picture.height) % picture.height, j = (column + picture.width) % picture.width;
         const glm::vec3 c = picture.colours[static_cast<std::size_t>(i * picture.width + j)];
@@ -174,8 +179,8 @@ std::vector<dvec3> normals_of_heights(const ColourPicture& picture, double depth
         return static_cast<double>(mean) * depth * picture.width;
     };
     std::vector<dvec3> normals;
-    for (int i = 0; i < picture.height; ++i)
-        for (int j = 0; j < picture.width; ++j) {
+    for (int i = 0; i < picture.height; i += step)
+        for (int j = 0; j < picture.width; j += step) {
             const double along_x = (height(i, j + 1) - height(i, j - 1)) / 2;
             const double along_y = (height(i - 1, j) - height(i + 1, j)) / 2;
             normals.push_back(glm::normalize(dvec3(-along_x, -along_y, 1)));

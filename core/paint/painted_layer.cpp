@@ -69,6 +69,7 @@ dvec3 above_horizon(dvec3 h) {
 void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight) {
     weigh_by_paint(layer, mass, raster_mass(*raster), first_weight);
     std::get<PaintedLobe>(layer.lobe).image = {{}, std::move(raster)};
+    layer.source.reset();
 }
 
 void weigh_by_paint(Layer& layer, double mass, double after, double first_weight) {

@@ -28,7 +28,7 @@ dvec3 above_horizon(dvec3 h);
 // Gives the layer another raster, and a weight such that a value of the raster means as
 // many facets as before: paint adds facets and removes none elsewhere in the layer. `mass` is raster_mass()
 // of the raster that it has; the first paint of a blank layer gets `first_weight`. A layer is enabled by its
-// first paint, and left out when the last is erased.
+// first paint, and left out when the last is erased. It is no longer what a picture made.
 void set_raster(Layer& layer, std::shared_ptr<const Raster> raster, double mass, double first_weight);
 
 // That weight, for a layer whose paint goes from one mass to another.

@@ -92,6 +92,23 @@ bool is_svg(const FileBytes& file) {
     return name == "svg" || name.ends_with(":svg");
 }
 
+bool is_text(std::string_view start) {
+    return std::none_of(start.begin(), start.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < 0x20 && std::isspace(byte) == 0) || byte == 0x7F;
+    });
+}
+
+// What is no picture, in words.
+std::string other_kind(const FileBytes& file) {
+    constexpr std::uint64_t looked_at = 4096;
+    const std::string start = file.read(0, looked_at);
+    if (start.empty()) return "an empty file, ";
+    if (start.starts_with("%PDF")) return "a PDF document, whose pages can be exported as pictures, ";
+    if (start.starts_with("PK\3\4")) return "an archive, or a document that is one, ";
+    return is_text(start) ? "a text, " : "";
+}
+
 std::string format_of(const FileBytes& file) {
     const std::string start = file.read(0, 32);
     for (const auto& [at, bytes, format] : signatures)
@@ -103,6 +120,7 @@ std::string format_of(const FileBytes& file) {
     if (start.starts_with("GIF8")) throw PictureProblem("a GIF, which is not read; save it as PNG");
     if (start.size() > 8 && start.compare(4, 4, "ftyp") == 0) throw PictureProblem("a movie, not a picture");
     throw PictureProblem(
+        other_kind(file) +
         "no PNG, JPEG, EXR, TIFF, HDR, PNM, WebP, TGA, BMP, PSD, DDS, JPEG 2000, HEIF or SVG picture");
 }
 

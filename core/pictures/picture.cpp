@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/limits.h"
+#include "core/image/clear_part.h"
 #include "core/image/luminance.h"
 #include "core/pictures/decoder.h"
 #include "core/pictures/environment_picture.h"
@@ -80,6 +81,17 @@ ColourPicture read_colours(const fs::path& file, PictureNotes& notes) {
             header.channels, header.encoded, std::move(alpha)};
 }
 
+double read_clear_part(const fs::path& file) {
+    constexpr float clear = 0.1f;
+    const auto picture = open_picture(file, picture_limits, PictureUse::light);
+    if (!picture->header().has_alpha) return 0;
+    std::size_t count = 0;
+    picture->read_rows([&](int, PixelRow row) {
+        for (const glm::vec4& pixel : row) count += pixel.a < clear ? 1 : 0;
+    });
+    return static_cast<double>(count) / static_cast<double>(pixel_count(picture->header().size));
+}
+
 // What `load` makes, or nothing and the reason.
 template <class Load>
 auto or_reason(const Load& load, PictureNotes* notes, std::string& reason) {
@@ -119,6 +131,13 @@ ColourPicture load_colours(const fs::path& file, PictureNotes* notes) {
     if (auto picture =
             or_reason([&](PictureNotes& found) { return read_colours(file, found); }, notes, reason))
         return *std::move(picture);
+    throw UserError(file.string(), "read", "the picture cannot be used", reason);
+}
+
+double load_clear_part(const fs::path& file) {
+    std::string reason;
+    if (auto part = or_reason([&](PictureNotes&) { return read_clear_part(file); }, nullptr, reason))
+        return *part;
     throw UserError(file.string(), "read", "the picture cannot be used", reason);
 }
 

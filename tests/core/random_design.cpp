@@ -101,6 +101,17 @@ Variant random_kind(const std::vector<Picture>& files = {}) {
     return value;
 }
 
+PictureSource random_source() {
+    return {.image = "/pictures/source.png",
+            .as = static_cast<SourceUse>(integer(0, 2)),
+            .size = number(limits::stamp_size_min, limits::stamp_size_max),
+            .reading = {coin(), coin(), coin()},
+            .height = number(-limits::relief_max, limits::relief_max),
+            .smoothing = number(0, limits::smoothing_max),
+            .rotation = number(-360, 360),
+            .flip = coin()};
+}
+
 Layer random_layer(const std::vector<Picture>& files) {
     Layer layer{text(),
                 coin(),
@@ -112,6 +123,7 @@ Layer random_layer(const std::vector<Picture>& files) {
                 {}};
     if (coin()) layer.modulation = Modulation{random_picture(files), number(0, 1)};
     if (coin()) layer.tint = colour(0, 1);
+    if (std::holds_alternative<PaintedLobe>(layer.lobe) && coin()) layer.source = random_source();
     return layer;
 }
 

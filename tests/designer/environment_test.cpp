@@ -58,13 +58,15 @@ TEST_CASE("environment: the window is in motion while its picture grows, and res
 TEST_CASE("environment: a dropped picture may be the environment map; what cannot be is said in words") {
     Rig r;
     write_image(r.folder / "sky.exr", {16, 8}, std::vector<float>(16 * 8 * 3, 0.5f));
-    r.play(r.drop("sky.exr") + "click \"Environment map\"\nwait\nframes 2");
+    r.play(r.drop("sky.exr") + r.import("Environment map"));
     REQUIRE(r.environment().picture);
     CHECK(r.environment().picture->picture.width == 16);
     write_image(r.folder / "square.exr", {8, 8}, std::vector<float>(8 * 8 * 3, 0.5f));
-    r.play(r.drop("square.exr") + "click \"Environment map\"\nwait\nframes 2");
+    r.play(r.drop("square.exr") + r.import("Environment map"));
     CHECK(r.environment().picture->picture.width == 16);
-    CHECK(r.designer().environment.talking());
-    r.play("click \"OK\"\nframes 2");
-    CHECK(!r.designer().environment.talking());
+    CHECK(r.designer().pictures.talking());
+    r.play("move \"As Environment map\"\nframes 60");
+    CHECK(r.stage.items().tooltip() == "8 x 8 pixels, must be twice as wide as high.");
+    r.play("key Escape\nframes 2");
+    CHECK(!r.designer().pictures.talking());
 }

@@ -12,6 +12,11 @@ struct FolderRig : Rig {
     TemporaryFolder folder;
     FolderRig() : Rig(2) {}
     std::string drop(const char* name) { return "drop \"" + (folder / name).string() + "\"\nframes 3\n"; }
+    // Of the cards of a picture that was dropped, by its name.
+    static std::string card(const char* use) { return "click \"As " + std::string(use) + "\"\nframes 2\n"; }
+    // Uses it as the chosen card says.
+    static std::string accept() { return "click \"Import\"\nwait\nframes 3\n"; }
+    static std::string import(const char* use) { return card(use) + accept(); }
 };
 
 }  // namespace nacre::test

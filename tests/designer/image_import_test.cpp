@@ -73,7 +73,7 @@ TEST_CASE("picture: a brushed-steel normal map gives a streak across the brushin
     FolderRig r;
     write_brushed_steel(r.folder / "steel.exr");
     const Design before = r.stage.designer().document.design;
-    r.play(r.drop("steel.exr") + "click \"Normals\"\nframes 3\nwait");
+    r.play(r.drop("steel.exr") + r.import("Normals"));
     REQUIRE(r.layers().size() == 2);
     CHECK(r.layers()[1].name == "steel");
     CHECK(r.layers()[1].enabled);
@@ -94,7 +94,7 @@ TEST_CASE("picture: how a map of normals is read is shown, and can be chosen for
     write_image(r.folder / "leaning.exr", {8, 8}, rgb);
     const std::string drop = r.drop("leaning.exr");
     const auto mean = [&](const std::string& choices) {
-        r.play(drop + choices + "click \"Normals\"\nframes 3");
+        r.play(drop + r.card("Normals") + choices + r.accept());
         Distribution alone;
         alone.layers = {r.layers().back()};
         return FacetDistribution(alone).mean();
@@ -112,7 +112,7 @@ TEST_CASE("picture: how a map of normals is read is shown, and can be chosen for
           doctest::Approx(30).epsilon(0.02));
     // Another map is read by its own numbers.
     write_brushed_steel(r.folder / "steel.exr");
-    r.play(r.drop("steel.exr") + "click \"Normals\"\nframes 3");
+    r.play(r.drop("steel.exr") + r.import("Normals"));
     CHECK(spread(r.layers().back()).x > 0.2);
 }
 
@@ -120,25 +120,31 @@ TEST_CASE("picture: a grey one holds no normals, and says so") {
     FolderRig r;
     std::ofstream(r.folder / "grey.pgm") << "P2 2 2 255\n0 100 200 255\n";
     const Design before = r.designer().document.design;
-    r.play(r.drop("grey.pgm") + "click \"Normals\"\nframes 3");
+    r.play(r.drop("grey.pgm") + r.import("Normals"));
     CHECK(r.designer().pictures.talking());
+    r.play("move \"As Normals\"\nframes 60");
+    CHECK(r.stage.items().tooltip() == "A map of normals must have red and green: grey alone.");
     r.play("key Enter\nframes 3");
+    CHECK(r.designer().pictures.talking());
+    r.play("key Escape\nframes 3");
+    CHECK(!r.designer().pictures.talking());
     CHECK(r.designer().document.design == before);
 }
 
-TEST_CASE("picture: it becomes the stamp in hand, or the chosen layer's modulation") {
+TEST_CASE("picture: it becomes a layer of its shape and a stamp, or the chosen layer's modulation") {
     FolderRig r;
     const std::vector<float> rgb = {1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1};
     write_image(r.folder / "check.png", {2, 2}, rgb);
-    r.play(r.drop("check.png") + "click \"Stamp\"\nframes 3\nwait\nframes 2");
-    CHECK(r.canvas().tool == ui::CanvasTool::stamp);
+    r.play(r.drop("check.png") + r.import("Stamp"));
+    REQUIRE(r.layers().size() == 2);
+    CHECK(r.layers()[1].name == "check");
+    CHECK(raster_mass(*std::get<PaintedLobe>(r.layers()[1].lobe).image.raster) > 0.1);
     REQUIRE(r.canvas().stamp < r.canvas().stamps.size());
     CHECK(r.canvas().stamps[r.canvas().stamp].name == "check");
-    r.canvas().brush.radius = 30;
-    r.play("click \"Canvas\":@0,0\nwait");
-    REQUIRE(r.layers().size() == 2);
-    CHECK(raster_mass(*std::get<PaintedLobe>(r.layers()[1].lobe).image.raster) > 0.1);
-    r.play("click \"Layer 1\"\n" + r.drop("check.png") + "click \"Modulation\"\nframes 3\nwait");
+    const Design before = r.document().design;
+    r.play("click \"Stamp\"\nclick \"Canvas\":@0,0\nwait");
+    CHECK(r.document().design != before);
+    r.play("click \"Layer 1\"\n" + r.drop("check.png") + r.import("Modulation"));
     CHECK(r.layers()[0].modulation.has_value());
     CHECK(r.stage.designer().baker.problem().empty());
 }
@@ -148,7 +154,7 @@ TEST_CASE("picture: the smoothing and the height of a map are set in the questio
     write_grooves(r.folder / "grooves.exr");
     const std::string drop = r.drop("grooves.exr");
     const auto answer = [&](const std::string& first) {
-        r.play(drop + first + "click \"Heights\"\nframes 3");
+        r.play(drop + r.card("Heights") + first + r.accept());
         return spread(r.layers().back());
     };
     const glm::dvec2 usual = answer("");
@@ -172,15 +178,13 @@ TEST_CASE("picture: a wide one paints and modulates as wide as it is") {
     FolderRig r;
     write_image(r.folder / "wide.exr", {8, 2}, std::vector<float>(48, 1));
     const std::string drop = r.drop("wide.exr");
-    r.play(drop + "click \"Stamp\"\nframes 3");
-    r.canvas().brush.radius = 30;
-    r.play("click \"Canvas\":@0,0");
+    r.play(drop + r.import("Stamp"));
     REQUIRE(r.layers().size() == 2);
     const glm::dvec2 painted = spread(r.layers()[1]);
     CHECK(painted.x / painted.y > 3);
     CHECK(painted.x / painted.y < 5);
     r.layers()[0].lobe = UniformLobe{};
-    r.play("click \"Layer 1\"\n" + drop + "click \"Modulation\"\nframes 3");
+    r.play("click \"Layer 1\"\n" + drop + r.import("Modulation"));
     REQUIRE(r.layers()[0].modulation);
     const glm::dvec2 modulated = spread(r.layers()[0]);
     CHECK(modulated.x / modulated.y > 2);
@@ -190,8 +194,10 @@ TEST_CASE("picture: what is none is told, and nothing changes") {
     FolderRig r;
     std::ofstream(r.folder / "words.png") << "not a picture";
     const Design before = r.stage.designer().document.design;
-    r.play(r.drop("words.png") + "click \"Heights\"\nframes 3");
+    r.play(r.drop("words.png"));
     CHECK(r.stage.designer().pictures.talking());
+    CHECK(
+        r.stage.designer().pictures.problem().starts_with("\u201cwords.png\u201d cannot be used. A text, "));
     r.play("key Enter\nframes 3");
     CHECK(!r.stage.designer().pictures.talking());
     r.play(r.drop("words.png") + "key Escape\nframes 3");

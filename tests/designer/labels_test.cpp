@@ -34,7 +34,9 @@ TEST_CASE("labels: a design, its layer, an environment map and an object of odd 
         CHECK(r.designer().files.message() == "Opened " + name + ".nacre");
         write_image(folder / (name + ".exr"), {16, 8}, std::vector<float>(16 * 8 * 3, 0.5f));
         drop(name + ".exr");
-        r.play("click \"Environment map\"\nwait\nclick \"Light\"\nclick \"Environment\"\nframes 3");
+        r.play(
+            "click \"As Environment map\"\nclick \"Import\"\nwait\nclick \"Light\"\nclick "
+            "\"Environment\"\nframes 3");
         CHECK(has(name + ".exr"));
         r.play(
             "key Escape\nframes 3\nclick \"Compare\"\nclick \"Take snapshot\"\nframes 3\nclick "

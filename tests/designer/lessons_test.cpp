@@ -75,11 +75,11 @@ TEST_CASE("lesson: a streak in four steps") {
     CHECK(lesson.shines(0, 25) - plain > 5 * std::abs(lesson.shines(25, 0) - plain));
 }
 
-TEST_CASE("lesson: a logo from an SVG in five steps") {
+TEST_CASE("lesson: a logo from an SVG in three steps") {
     Lesson lesson("logo");
-    CHECK(lesson.steps <= 5);
+    CHECK(lesson.steps <= 3);
     REQUIRE(lesson.layers().size() == 2);
-    const double radius = lesson.canvas().brush.radius;
+    const double radius = lesson.layers()[1].source.value().size;
     // Of the N its left stem, not what is right of it below the diagonal's end.
     CHECK(lesson.shines(-0.27 * radius, 0) > 1.5 * lesson.shines(0, 0.3 * radius));
     CHECK(lesson.shines(-0.05 * radius, 0.05 * radius) > 1.5 * lesson.shines(0, 0.3 * radius));

@@ -84,6 +84,8 @@ class Hour {
             if (!on_screen(line)) break;
             rig_.play(line);
         }
+        rig_.designer().pictures.wait();
+        rig_.play("frames 2");
         // A question about a dropped picture, or why it was not taken.
         for (const char* answer : {"Cancel", "OK"}) {
             if (!rig_.designer().pictures.talking()) break;

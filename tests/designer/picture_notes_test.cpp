@@ -43,10 +43,10 @@ TEST_CASE("picture notes: one line, each file once") {
 
 TEST_CASE("picture notes: a stamp, heights and a modulation tell theirs, the last one below its name too") {
     NotesRig r;
-    r.play(r.drop("wide.exr") + "click \"Stamp\"\nframes 3\nwait\nframes 2");
+    r.play(r.drop("wide.exr") + r.import("Stamp"));
     CHECK(r.message() == std::string("wide.exr: ") + wide_note);
     r.designer().files.tell("");
-    r.play(r.drop("wide.exr") + "click \"Modulation\"\nframes 3");
+    r.play("click \"Layer 1\"\n" + r.drop("wide.exr") + r.import("Modulation"));
     CHECK(r.message() == std::string("wide.exr: ") + wide_note);
     CHECK(r.shows(wide_note));
     r.play("click \"Remove modulation\"\nframes 3");
@@ -54,7 +54,7 @@ TEST_CASE("picture notes: a stamp, heights and a modulation tell theirs, the las
     // Square, and small enough.
     write_image(r.folder / "small.exr", {8, 8}, grey(64));
     r.designer().files.tell("before");
-    r.play(r.drop("small.exr") + "click \"Modulation\"\nframes 3");
+    r.play(r.drop("small.exr") + r.import("Modulation"));
     CHECK(r.message() == "before");
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("picture notes: an environment map tells its own below its choice") {
     std::vector<float> rgb = grey(16 * 8);
     rgb[7] = -0.5f;
     write_image(r.folder / "sky.exr", {16, 8}, rgb);
-    r.play(r.drop("sky.exr") + "click \"Environment map\"\nwait\nclick \"Light\"\nframes 3");
+    r.play(r.drop("sky.exr") + r.import("Environment map") + "click \"Light\"\nframes 3");
     const auto note = r.stage.items().rectangle("1 of 128 pixels are below 0, down to -0.5, and count as 0");
     REQUIRE(note);
     CHECK(note->y > r.stage.items().rectangle("Environment")->w);

@@ -92,7 +92,8 @@ class RandomPainter {
 
     std::vector<std::string> picture() {
         const std::string file = pictures_[pick(pictures_.size())].string();
-        return {"drop \"" + file + "\"", "frames 3", click(one_of(answers)), "frames 2"};
+        return {"drop \"" + file + "\"", "frames 3", click(one_of(answers)),
+                click(pick(4) > 0 ? "Import" : "Cancel"), "frames 2"};
     }
 
     std::string click(const std::string& name) const { return "click \"" + name + "\""; }
@@ -122,7 +123,7 @@ class RandomPainter {
     static constexpr std::array balances = {"Balance", "Balance", "Straighten", "New painted layer"};
     static constexpr std::array lobes = {"Gaussian", "GGX", "Beckmann", "Uniform", "Curve", "Painted"};
     static constexpr std::array layer_buttons = {"Duplicate layer", "Layer up", "Layer down"};
-    static constexpr std::array answers = {"Stamp", "Normals", "Heights", "Modulation", "Cancel"};
+    static constexpr std::array answers = {"As Stamp", "As Normals", "As Heights", "As Modulation"};
 
     std::mt19937 random_;
     std::vector<std::filesystem::path> pictures_;

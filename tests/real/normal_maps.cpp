@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/paint/normal_map.h"
+#include "core/paint/picture_guess.h"
 
 namespace {
 
@@ -26,6 +27,8 @@ std::string read(const std::string& file) {
     for (const dvec3 n : normals) mean += n / static_cast<double>(normals.size());
     if (!(mean.z > 0.75)) throw std::runtime_error(fmt::format("n.z is {:.2f} in the mean", mean.z));
     raster_of_normals(normals, 1.5);
+    if (likely_use(picture_statistics(picture, look.reading)).use != ImportUse::normals)
+        throw std::runtime_error("not taken for normals");
     // What is said of green follows green.
     for (glm::vec3& colour : picture.colours) colour.y = 1 - colour.y;
     const std::optional<bool> turned = look_at_normal_map(picture).green_down;

@@ -9,6 +9,8 @@
 
 #include "core/formats/environment_file.h"
 #include "core/image/picture.h"
+#include "core/paint/normal_map.h"
+#include "core/paint/picture_guess.h"
 
 namespace {
 
@@ -25,6 +27,10 @@ std::string read_environment(const std::string& file) {
         if (!is_light(c)) throw std::runtime_error("radiance that is none");
     if (picture.width != 2 * picture.height || !(environment->brightness > 0))
         throw std::runtime_error("no light from all around");
+    const ColourPicture numbers = load_colours(file);
+    if (likely_use(picture_statistics(numbers, look_at_normal_map(numbers).reading)).use !=
+        ImportUse::environment)
+        throw std::runtime_error("not taken for an environment");
     std::string line = fmt::format("{} x {}", picture.width, picture.height);
     for (const std::string& note : environment->notes) line += "; " + note;
     return line;

@@ -81,16 +81,14 @@ void export_to(Hand& hand, std::size_t format, const fs::path& file) {
 void without_pictures(const fs::path& folder) {
     Hand hand;
     Designer& designer = hand.designer();
-    const std::string drop = "drop \"" + (folder / "picture.png").string() + "\"\nframes 3\n";
-    hand.play(drop + "click \"Stamp\"\nframes 3");
+    const fs::path picture = folder / "picture.png";
+    take_file(designer, picture);
+    hand.told("picture", [&] { return designer.pictures.problem(); });
+    hand.answer();
+    designer.stamps.want(picture);
     hand.told("Stamp", [&] { return designer.stamps.problem(); });
     hand.answer();
-    for (const char* use : {"Normals", "Modulation"}) {
-        hand.play(drop + "click \"" + use + "\"\nframes 3");
-        hand.told(use, [&] { return designer.pictures.problem(); });
-        hand.answer();
-    }
-    hand.play(drop + "click \"Environment map\"\nframes 3");
+    designer.environment.want(picture.string());
     hand.told("environment", [&] { return designer.environment.problem(); });
     hand.answer();
     take_file(designer, folder / "pictured.nacre");
