@@ -107,6 +107,8 @@ void area_numbers(CanvasState& state, ToolNeed need, float width, float gap) {
     stay_on_line(width, gap);
     percent("Paint opacity", "opacity %.0f %%", "How much of its full effect it has: the brush's opacity.",
             width, Brush{}.opacity, state.brush.opacity);
+    stay_on_line(width, gap);
+    combine_choice(state.brush, "Combine area", width);
 }
 
 void brush_row(CanvasState& state, PaintTool tool, const std::optional<dvec3>& mean,

@@ -14,6 +14,14 @@ namespace {
 
 constexpr double first_share = 0.5;  // weight of a blank layer's first paint, of the other layers'
 
+// Of a layer or a constant one.
+template <class AnyLayer>
+auto picture_of(AnyLayer& layer, LayerPart part) -> decltype(&layer.modulation->image) {
+    if (part == LayerPart::mask) return layer.modulation ? &layer.modulation->image : nullptr;
+    auto* const painted = std::get_if<PaintedLobe>(&layer.lobe);
+    return painted != nullptr ? &painted->image : nullptr;
+}
+
 // Of the layer as it is without its mask, at each texel of a mask.
 std::vector<double> facets_under(Layer layer, int side) {
     layer.modulation.reset();
@@ -41,15 +49,8 @@ Modulation in_paint(const Modulation& given) {
 
 }  // namespace
 
-Picture* part_picture(Layer& layer, LayerPart part) {
-    if (part == LayerPart::mask) return layer.modulation ? &layer.modulation->image : nullptr;
-    auto* const painted = std::get_if<PaintedLobe>(&layer.lobe);
-    return painted != nullptr ? &painted->image : nullptr;
-}
-
-const Picture* part_picture(const Layer& layer, LayerPart part) {
-    return part_picture(const_cast<Layer&>(layer), part);
-}
+Picture* part_picture(Layer& layer, LayerPart part) { return picture_of(layer, part); }
+const Picture* part_picture(const Layer& layer, LayerPart part) { return picture_of(layer, part); }
 
 std::shared_ptr<const Raster> part_raster(const Layer& layer, LayerPart part) {
     return paintable(part_picture(layer, part)->raster);
