@@ -94,12 +94,15 @@ bool slider(SliderSpec spec, glm::dvec3& rgb, glm::dvec3 reset) {
     if (row_label(spec.label, spec.tooltip)) rgb = reset;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
+    ImGui::BeginGroup();
     for (int i = 0; i < 3; ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(width);
         spec.reset = reset[i];
         slider_field(spec, std::string(item_name(spec.label)) + " " + channels[i], rgb[i]);
     }
+    ImGui::EndGroup();
+    note_part(spec.label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     return named(spec.label, rgb != before);
 }
 
