@@ -40,7 +40,10 @@ std::string reason_of(const std::exception_ptr& error) {
 
 std::string sentence(std::string text) {
     if (text.empty()) return text;
-    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    // Not a file's name.
+    const std::string word = text.substr(0, text.find_first_of(" ,:"));
+    if (word.find_first_of("./") == word.npos)
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
     return text.back() == '.' ? text : text + '.';
 }
 

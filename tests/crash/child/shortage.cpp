@@ -36,7 +36,8 @@ class Hand {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             play("frames 1");
         }
-        std::printf("%s: %s\n", what, problem().c_str());
+        // Below the words the path of a picture may stand.
+        std::printf("%s: %s\n", what, problem().substr(0, problem().find('\n')).c_str());
     }
     void answer() {
         play("frames 30\nkey Enter\nframes 5");
