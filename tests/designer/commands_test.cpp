@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "app/designer/command.h"
 #include "core/design/design_file.h"
@@ -9,6 +11,7 @@
 #include "core/image/picture.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/designer/rig.h"
+#include "ui/canvas_tools.h"
 #include "ui/key_press.h"
 #include "ui/shortcut_sheet.h"
 
@@ -209,4 +212,21 @@ TEST_CASE("presets: the wall gets its pictures") {
     const auto& presets = r.designer().presets;
     REQUIRE(!presets.empty());
     CHECK(r.frames_until([&] { return r.designer().thumbnails.texture(presets[0].file) != nullptr; }));
+}
+
+TEST_CASE("commands: no key stands for two of them, or for a command and a tool") {
+    std::map<std::string, std::string> meant;
+    const auto add = [&](const char* keys, const char* what) {
+        if (keys == nullptr) return;
+        CAPTURE(keys);
+        CAPTURE(what);
+        CHECK_MESSAGE(meant.emplace(keys, what).second, meant[keys]);
+    };
+    for (const ui::CommandInfo* info : command_infos()) {
+        add(info->keys, info->about);
+        add(info->also, info->about);
+    }
+    for (const ui::ToolEntry& tool : ui::canvas_tools())
+        add(std::string(1, tool.face->key).c_str(), tool.face->name);
+    CHECK(meant.size() > 40);
 }

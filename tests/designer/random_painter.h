@@ -117,7 +117,7 @@ class RandomPainter {
         "Line",         "Ring",     "Star",  "Fill",  "Fill",   "Gradient", "Select rectangle",
         "Select lasso", "Transform"};
     static constexpr std::array selecting = {"Ctrl+A", "Ctrl+Shift+A", "Ctrl+Shift+A",
-                                             "Ctrl+I", "Delete",       "Shift+Backspace"};
+                                             "Ctrl+Shift+I", "Delete",       "Shift+Backspace"};
     static constexpr std::array symmetries = {"No symmetry", "Mirror x", "Mirror y",
                                               "Mirror both", "Turns",    "Full ring"};
     static constexpr std::array balances = {"Balance", "Balance", "Straighten", "New painted layer"};

@@ -76,7 +76,7 @@ TEST_CASE("selection: all, none and inverted, by key and in the search") {
     CHECK(!r.canvas().selection);
     r.play(right_half);
     CHECK(r.selected(40, 0) > 0.99);
-    r.play("key Ctrl+I\nframes 2");
+    r.play("key Ctrl+Shift+I\nframes 2");
     CHECK(r.selected(40, 0) < 0.01);
     CHECK(r.selected(40, 180) > 0.99);
     r.play("key Ctrl+K\nframes 3\ntext \"select none\"\nframes 3\nkey Enter\nframes 3");
@@ -130,7 +130,7 @@ TEST_CASE("selection: its rim is one texel wide; what is selected is filled and 
     CHECK(r.value(1, 1.2, 180) == 0);
     CHECK(r.value(1, 85, 60) == doctest::Approx(0.8));
     CHECK(r.layers()[1].enabled);
-    r.play("key Ctrl+I\nframes 2\nkey Ctrl+I\nframes 2\nkey W\nframes 30\n");
+    r.play("key Ctrl+Shift+I\nframes 2\nkey Ctrl+Shift+I\nframes 2\nkey W\nframes 30\n");
     r.play_with(true, false, false, "drag \"Canvas\":0.02,0.02 \"Canvas\":0.98,0.5 4\nframes 30");
     r.play("key Delete\nframes 3");
     CHECK(r.value(1, 40, 45) == doctest::Approx(0.8).epsilon(0.8));

@@ -5,8 +5,7 @@ namespace nacre {
 const Command invert_selection_command{
     .info = {.menu = "Select",
              .label = "Invert selection",
-             .keys = "Ctrl+I",
-             .also = "Ctrl+Shift+I",
+             .keys = "Ctrl+Shift+I",
              .about = "Select what is not selected."},
     .enabled = [](const Designer& designer) { return designer.canvas.state.selection != nullptr; },
     .perform =
