@@ -81,7 +81,8 @@ std::optional<DisplayColour> hexadecimal(std::string_view text) {
 }
 
 // Until six digits stand there the colour stays as it is, and the digits are red.
-void hexadecimal_field(const std::string& name, glm::dvec3& linear) {
+// Returns whether its text is a colour.
+bool hexadecimal_field(const std::string& name, glm::dvec3& linear) {
     const DisplayColour before = displayed(linear);
     int bytes[3];
     for (int i = 0; i < 3; ++i) bytes[i] = static_cast<int>(std::lround(before.values[i] * 255));
@@ -100,11 +101,12 @@ void hexadecimal_field(const std::string& name, glm::dvec3& linear) {
     tooltip_for_item("As displayed: six hexadecimal digits, as on the web.");
     const auto typed = hexadecimal(text);
     storage.SetBool(key, ImGui::IsItemActive() && (edited ? !typed : wrong));
-    if (!edited || !typed || text == first) return;
+    if (!edited || !typed || text == first) return typed.has_value();
     DisplayColour now = *typed;
     for (int i = 0; i < 3; ++i)
         if (std::lround(now.values[i] * 255) == bytes[i]) now.values[i] = before.values[i];
     take(before, now, linear);
+    return true;
 }
 
 void swatch(const std::string& name, glm::dvec3& linear) {
@@ -127,8 +129,7 @@ void swatch(const std::string& name, glm::dvec3& linear) {
                             flags | ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_NoSidePreview |
                                 ImGuiColorEditFlags_NoLabel);
         note_item(name + " picker");
-        hexadecimal_field(name, linear);
-        if (is_key_pressed(key::enter, false)) ImGui::CloseCurrentPopup();
+        if (hexadecimal_field(name, linear) && is_key_pressed(key::enter, false)) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
     take(before, now, linear);

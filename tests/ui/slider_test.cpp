@@ -207,7 +207,10 @@ TEST_CASE("colour: six hexadecimal digits are the displayed colour; fewer change
     }
     enter("#ff0000");
     CHECK(linear == glm::dvec3(1, 0, 0));
+    CHECK(!rig.has("Tint hexadecimal"));  // Enter on a colour is done with it
     linear.z = 0.123456789;
+    rig.click("Tint swatch");
+    rig.frame(3);
     enter("00ff63");  // the blue that was there, in eight bits
     CHECK(linear == glm::dvec3(0, 1, 0.123456789));
 }
