@@ -81,7 +81,7 @@ std::optional<DisplayColour> hexadecimal(std::string_view text) {
 }
 
 // Until six digits stand there the colour stays as it is, and the digits are red.
-// Returns whether its text is a colour.
+// Returns whether what has been typed is one.
 bool hexadecimal_field(const std::string& name, glm::dvec3& linear) {
     const DisplayColour before = displayed(linear);
     int bytes[3];
@@ -101,7 +101,7 @@ bool hexadecimal_field(const std::string& name, glm::dvec3& linear) {
     tooltip_for_item("As displayed: six hexadecimal digits, as on the web.");
     const auto typed = hexadecimal(text);
     storage.SetBool(key, ImGui::IsItemActive() && (edited ? !typed : wrong));
-    if (!edited || !typed || text == first) return typed.has_value();
+    if (!edited || !typed || text == first) return typed && !wrong;
     DisplayColour now = *typed;
     for (int i = 0; i < 3; ++i)
         if (std::lround(now.values[i] * 255) == bytes[i]) now.values[i] = before.values[i];
