@@ -59,7 +59,8 @@ constexpr NumberParameter<Lobe> roughness_y_parameter() {
 inline ExtremeClaims claims_of_widths(double x, double y) {
     const double narrow = std::fmin(x, y), wide = std::fmax(x, y);
     if (x == y) return {};
-    if (wide > 1e5 * narrow || (wide > 1e4 && narrow > 1e-3)) return {.albedo = 0.3};
+    const bool needle = narrow < 1e-3 && wide > 10 && std::isfinite(wide);
+    if (needle || (wide > 1e4 && narrow > 1e-3)) return {.albedo = 0.3};
     if (narrow < 1e-3) return {.albedo = layer_albedo_claim};
     return {};
 }
