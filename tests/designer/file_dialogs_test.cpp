@@ -222,7 +222,7 @@ TEST_CASE("desktop's dialog: a cancel changes nothing") {
     CHECK(r.designer().files.message() == message);
 }
 
-TEST_CASE("desktop's dialog: a chosen file that cannot be used is told in one line, and nothing changes") {
+TEST_CASE("desktop's dialog: a chosen file that cannot be used is told in a few words, and nothing changes") {
     const TemporaryFolder folder;
     write_all(folder / "notes.exr", "no picture\n");
     write_all(folder / "bad.obj", "v 0 0 0\nf 1 2 3\n");
@@ -234,7 +234,8 @@ TEST_CASE("desktop's dialog: a chosen file that cannot be used is told in one li
         REQUIRE(r.frames_until([&] { return asking.talking(r.designer()); }));
         const std::string problem = asking.problem(r.designer());
         CHECK(problem.find(file.filename().string()) != std::string::npos);
-        CHECK(problem.find('\n') == std::string::npos);
+        // A picture's file stands in a line of its own, behind the words.
+        CHECK(std::ranges::count(problem, '\n') <= 2);
         CHECK(r.scene() == scene);
         r.play("frames 30\nclick \"OK\"\nframes 5");
         CHECK(!talking(r.designer()));
