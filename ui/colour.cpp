@@ -113,9 +113,10 @@ void swatch(const std::string& name, glm::dvec3& linear) {
     constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs;
     const DisplayColour before = displayed(linear);
     DisplayColour now = before;
-    if (ImGui::ColorButton("##swatch", {now.values[0], now.values[1], now.values[2], 1},
-                           ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip))
-        ImGui::OpenPopup("picker");
+    const bool pressed = ImGui::ColorButton("##swatch", {now.values[0], now.values[1], now.values[2], 1},
+                                            ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip);
+    const bool by_key = pressed && !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    if (ImGui::IsItemClicked() || by_key) ImGui::OpenPopup("picker");
     note_item(name + " swatch");
     tooltip_for_item("A click picks the colour as it is displayed, a drag carries it to another swatch.");
     if (ImGui::BeginDragDropTarget()) {
