@@ -116,7 +116,7 @@ class RandomPainter {
         "Handles",      "Grab",     "Paint", "Erase", "Smooth", "Smear",    "Stamp",
         "Line",         "Ring",     "Star",  "Fill",  "Fill",   "Gradient", "Select rectangle",
         "Select lasso", "Transform"};
-    static constexpr std::array selecting = {"Ctrl+A", "Ctrl+Shift+A", "Ctrl+Shift+A",
+    static constexpr std::array selecting = {"Ctrl+A",       "Ctrl+Shift+A", "Ctrl+Shift+A",
                                              "Ctrl+Shift+I", "Delete",       "Shift+Backspace"};
     static constexpr std::array symmetries = {"No symmetry", "Mirror x", "Mirror y",
                                               "Mirror both", "Turns",    "Full ring"};
