@@ -151,7 +151,8 @@ std::vector<TablePoint> AlbedoTable::layer_points(Workers& workers) const {
     std::vector<TablePoint> points;
     for (const auto& [wrong, point] : layer) {
         if (points.size() == layer_probes || !(wrong > 0)) break;
-        const auto near = [&](const TablePoint& other) { return std::fabs(other.row - point.row) < 0.5; };
+        const double row = point.row;
+        const auto near = [row](const TablePoint& other) { return std::fabs(other.row - row) < 0.5; };
         if (std::ranges::none_of(points, near)) points.push_back(point);
     }
     return points;
