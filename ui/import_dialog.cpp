@@ -30,6 +30,7 @@ Pressed card(const ImportCard& shown, float width, bool chosen, bool likely) {
     const bool hovered = ImGui::IsItemHovered();
     pressed.twice = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     note_item(std::string("As ") + shown.name);
+    note_part(shown.name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());  // as scripts may call it
     tooltip_for_item(shown.refusal.empty() ? shown.about : shown.refusal.c_str());
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
