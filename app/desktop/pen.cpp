@@ -72,7 +72,8 @@ class Pen::Connection {
     void take(const XGenericEventCookie& cookie) {
         if (cookie.evtype == XI_HierarchyChanged) return find_axes();
         const auto& event = *static_cast<const XIRawEvent*>(cookie.data);
-        const auto axis = axes_.find(event.sourceid);
+        // Older servers leave the source at 0.
+        const auto axis = axes_.find(event.sourceid != 0 ? event.sourceid : event.deviceid);
         if (axis == axes_.end()) {
             pressure_.reset();
             return;
