@@ -25,9 +25,8 @@ struct UseText {
 // In the order of the uses.
 constexpr std::array<UseText, import_uses> texts{
     {{"Stamp",
-      "A highlight of the picture's shape, as a new layer. It is a stamp for the brush too. White paints, "
-      "and "
-      "dark where the ground is white or transparent."},
+      "A highlight of the picture's shape, as a new layer. It is a stamp for the brush too. White paints; "
+      "on a white or transparent ground the dark does."},
      {"Normals", "A layer with the facets of the surface whose normals the picture holds as colours."},
      {"Heights", "A layer with the facets of the surface whose heights the picture holds as brightness."},
      {"Modulation",

@@ -1,4 +1,4 @@
-// Where values are like the one that is pointed at, as far as they hang together.
+// The connected area whose values are like the one that is pointed at.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -85,14 +85,15 @@ void icon(const IconPen& pen) {
 }  // namespace
 
 const PaintToolInfo fill_tool{
-    .face = {.name = "Fill",
-             .key = 'F',
-             .about = "Fills an area of like values with a click.",
-             .more =
-                 "As far as they hang together and as the selection reaches. The tolerance says how unlike "
-                 "they may be.",
-             .icon = icon,
-             .begins_group = true},
+    .face =
+        {.name = "Fill",
+         .key = 'F',
+         .about = "Fills an area of like values with a click.",
+         .more =
+             "The area is connected to where you click, and ends at the selection. The tolerance says how "
+             "much its values may differ.",
+         .icon = icon,
+         .begins_group = true},
     .needs = ToolNeed::tolerance,
     .work = AreaTool{.cover = cover}};
 
