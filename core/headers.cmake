@@ -8,11 +8,11 @@ file(GLOB public_model RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS mo
 list(APPEND public_model
     model/diffuse_models.h model/facet_distribution.h model/fresnel_models.h model/layer.h model/lobe.h
     model/lobe_model.h model/lobes.h model/masking_models.h model/modulation.h model/picture_source.h model/quadrature.h model/shading.h
-    model/shading_members.inl model/tint.h model/visible_sampler.h)
+    model/shading_members.inl model/tint.h)
 set(public_design design/design.h design/design_file.h)
 set(public_shading shading/term.h)
 set(public_bake
-    bake/albedo_values.h bake/bake.h bake/brdf.h bake/brdf_pairs.h bake/needs.h bake/symmetry.h bake/table_size.h
+    bake/albedo_values.h bake/bake.h bake/brdf.h bake/brdf_pairs.h bake/brdf_samples.h bake/needs.h bake/symmetry.h bake/table_size.h
     bake/tables.h bake/workers.h)
 foreach(room library base image model design shading bake)
     list(TRANSFORM public_${room} PREPEND ${NACRE_ROOMS}/${room}/core/ OUTPUT_VARIABLE headers)

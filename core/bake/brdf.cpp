@@ -1,5 +1,7 @@
 #include "core/bake/brdf.h"
 
+#include "core/model/visible_facets.h"
+
 namespace nacre {
 
 dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction& a,
@@ -31,39 +33,44 @@ dvec3 Brdf::evaluate(dvec3 k1, dvec3 k2, Term term) const {
     return brdf_term(shading, shading.direction(k1), shading.direction(k2), term);
 }
 
-double Brdf::diffuse_probability() const {
-    return tables_->shading.kinds.diffuse == kind_index<Diffuse, NoDiffuse>() ? 0 : 0.5;
-}
+double Brdf::diffuse_probability() const { return tables_->shading.diffuse_probability(); }
 
 double Brdf::pdf(dvec3 k1, dvec3 k2) const {
     if (k1.z <= 0 || k2.z <= 0) return 0;
     const Shading<double>& shading = tables_->shading;
     const double g = shading.projected_area(k1, shading.table_spot(k1));
-    const double specular = g > 0 ? shading.density(glm::normalize(k1 + k2)) / (4 * g) : 0;
+    const auto between = shading.half_vector(k1, k2);
+    return shading.sampled_density(g, between.exists ? shading.density(between.h) : 0, k2.z);
+}
+
+dvec3 Brdf::draw(dvec3 k1, Random& random) const {
+    constexpr dvec3 none{0};
+    if (k1.z <= 0) return none;
     const double diffuse = diffuse_probability();
-    return (1 - diffuse) * specular + diffuse * cosine_density(k2);
+    if (diffuse > 0 && uniform_random(random) < diffuse) return cosine_sample(random);
+    const std::optional<dvec3> h = tables_->distribution->visible_facets()(k1, random);
+    return h ? mirrored(k1, *h) : none;
 }
 
 std::optional<BrdfSample> Brdf::sample(dvec3 k1, Random& random) const {
+    if (k1.z <= 0) return {};
     return BrdfSampler(*this, k1)(random);
 }
 
 BrdfSampler::BrdfSampler(const Brdf& brdf, dvec3 k1)
-    : brdf_(brdf), k1_(k1), facets_(brdf.tables().distribution->lobes(), k1) {}
+    : brdf_(brdf), from_(brdf.tables().shading.direction(k1.z > 0 ? k1 : dvec3{0, 0, 1})) {
+    from_.k = k1;
+}
 
 std::optional<BrdfSample> BrdfSampler::operator()(Random& random) const {
-    if (k1_.z <= 0) return {};
-    dvec3 k2;
-    if (uniform_random(random) < brdf_.diffuse_probability()) {
-        k2 = cosine_sample(random);
-    } else {
-        if (facets_.area() <= 0) return {};
-        const dvec3 h = facets_(random);
-        k2 = glm::normalize(2 * glm::dot(k1_, h) * h - k1_);
-    }
-    const double density = brdf_.pdf(k1_, k2);
-    if (k2.z <= 0 || density <= 0) return {};
-    return BrdfSample{k2, brdf_.evaluate(k1_, k2) * (k2.z / density), density};
+    const dvec3 k2 = brdf_.draw(from_.k, random);
+    if (!(k2.z > 0)) return {};
+    const Shading<double>& shading = brdf_.tables().shading;
+    dvec3 rho;
+    double density;
+    shading.brdf_and_density(from_, shading.direction(k2), rho, density);
+    if (!(density > 0)) return {};
+    return BrdfSample{k2, rho * (k2.z / density), density};
 }
 
 dvec3 Brdf::albedo(dvec3 k) const {

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "core/bake/tables.h"
-#include "core/model/visible_sampler.h"
 #include "core/shading/term.h"
 
 namespace nacre {
@@ -26,8 +25,12 @@ class Brdf {
 
     // Visible normals, p(h)/(4 g(k1)) of k2 (Heitz & d'Eon 2014, for any p), mixed half and half with a
     // cosine about n where the design has a diffuse term. Nothing is returned for a sample below the horizon,
-    // which a renderer counts as black.
+    // which a renderer counts as black. The first call for a p takes some milliseconds: see
+    // FacetDistribution::visible_facets().
     std::optional<BrdfSample> sample(dvec3 k1, Random& random) const;
+
+    // k2 of a sample alone; k2.z <= 0 where there is none.
+    dvec3 draw(dvec3 k1, Random& random) const;
     double pdf(dvec3 k1, dvec3 k2) const;
 
     // How often sample() draws the cosine.
@@ -42,7 +45,7 @@ class Brdf {
     std::shared_ptr<const Tables> tables_;
 };
 
-// Brdf::sample() from one k1 again and again: what k1 sees of each lobe is found once.
+// Brdf::sample() from one k1 again and again: its tables are read once.
 class BrdfSampler {
   public:
     // `brdf` is kept as a reference.
@@ -51,9 +54,11 @@ class BrdfSampler {
 
   private:
     const Brdf& brdf_;
-    dvec3 k1_;
-    VisibleSampler facets_;
+    Shading<double>::Direction from_;
 };
+
+// k mirrored by a facet.
+inline dvec3 mirrored(dvec3 k, dvec3 h) { return glm::normalize(2 * glm::dot(k, h) * h - k); }
 
 // One term of the BRDF (term.h says in which unit) from what is known of both directions; `shading` holds the
 // design.

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/model/visible_sampler.h"
+#include "core/model/visible_facets.h"
 
 namespace nacre {
 namespace {
@@ -35,7 +36,13 @@ glm::dmat3 layer_frame(const Layer& layer) {
     return rotation_about_z(layer.azimuth) * about_y * rotation_about_z(layer.rotation - layer.azimuth);
 }
 
-FacetDistribution::FacetDistribution(const Distribution& distribution, const LobeOf& lobe_of) {
+struct FacetDistribution::LazyVisibleFacets {
+    std::once_flag made;
+    std::unique_ptr<const VisibleFacets> facets;
+};
+
+FacetDistribution::FacetDistribution(const Distribution& distribution, const LobeOf& lobe_of)
+    : visible_(std::make_shared<LazyVisibleFacets>()) {
     // Shares are taken of the largest weight first, so that weights of 1e-30 and of 1e30 give the same p.
     double largest = 0, total = 0;
     for (const Layer& layer : distribution.layers)
@@ -108,7 +115,12 @@ std::vector<std::vector<Facet>> FacetDistribution::facets(std::size_t count) con
 }
 
 dvec3 FacetDistribution::sample_visible(dvec3 k, Random& random) const {
-    return VisibleSampler(lobes_, k)(random);
+    return *visible_facets()(k, random);
+}
+
+const VisibleFacets& FacetDistribution::visible_facets() const {
+    std::call_once(visible_->made, [&] { visible_->facets = std::make_unique<const VisibleFacets>(lobes_); });
+    return *visible_->facets;
 }
 
 }  // namespace nacre

@@ -17,6 +17,8 @@ struct PlacedLobe {
 // The frame of a layer: `rotation` about the axis, then the axis is tilted by `tilt` from n toward `azimuth`.
 glm::dmat3 layer_frame(const Layer& layer);
 
+class VisibleFacets;
+
 class FacetDistribution {
   public:
     // Throws UserError when a layer or the whole holds no facets, or when N = <n.h> <= 0.
@@ -37,6 +39,9 @@ class FacetDistribution {
     // A facet as k sees it, density (h.k)+ p(h)/g(k); g(k) > 0.
     dvec3 sample_visible(dvec3 k, Random& random) const;
 
+    // What draws them (visible_facets.h): made by the first call, of whatever thread, for all copies.
+    const VisibleFacets& visible_facets() const;
+
     const std::vector<PlacedLobe>& lobes() const { return lobes_; }
 
     // Of each lobe that has no smooth form its facets, at most `count` of them or all with 0, in the
@@ -44,8 +49,11 @@ class FacetDistribution {
     std::vector<std::vector<Facet>> facets(std::size_t count) const;
 
   private:
+    struct LazyVisibleFacets;
+
     std::vector<PlacedLobe> lobes_;
     dvec3 mean_{0};
+    std::shared_ptr<LazyVisibleFacets> visible_;
 };
 
 }  // namespace nacre

@@ -7,6 +7,7 @@
 #include "core/model/beckmann.h"
 #include "core/model/lobe_densities.h"
 #include "core/model/shading.h"
+#include "core/model/span_envelope.h"
 
 namespace nacre {
 namespace {
@@ -79,6 +80,20 @@ class Gaussian final : public LobeModel {
     std::vector<LobeParameterization> spans() const override {
         const dvec2 a = inverse_width_ * inverse_width_;
         return {{1.0 / glm::sqrt(a + 1.0), 1, {}}};
+    }
+
+    // In h' eq. 34 is exp(-tan^2(theta') (e.x^2/(1 + sx^2) + e.y^2/(1 + sy^2))), the solid angle falls as |A
+    // h'|^3 rises.
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        return make_span_envelope(*this, [this](const LobeParameterization& span, const SpanCell& cell) {
+            const dvec2 rate = inverse_width_ * inverse_width_ * span.stretch * span.stretch;
+            const SquareBounds x2 = square_bounds(cell);
+            const double least_rate =
+                std::min(rate.x * x2.low + rate.y * (1 - x2.low), rate.x * x2.high + rate.y * (1 - x2.high));
+            const double length = std::sqrt(stretch_bounds(span, cell).low);
+            return std::exp(-least_rate * (1 / (cell.t1 * cell.t1) - 1)) * span.stretch.x * span.stretch.y /
+                   (length * length * length);
+        });
     }
 
     dvec3 sample_visible(dvec3 k, Random& random) const override {

@@ -7,6 +7,7 @@
 #include "core/model/lobe_densities.h"
 #include "core/model/quadrature.h"
 #include "core/model/shading.h"
+#include "core/model/span_envelope.h"
 
 namespace nacre {
 namespace {
@@ -178,6 +179,16 @@ class InverseGaussian final : public Isotropic {
     dvec3 mean() const override { return {0, 0, area({0, 0, 1}).g}; }
     std::vector<LobeParameterization> spans() const override { return {{dvec2{stretch_}, 1, {}}}; }
 
+    // p rises toward the horizon; the solid angle toward the axis, since the stretch is above 1.
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        return make_span_envelope(*this, [this](const LobeParameterization& span, const SpanCell& cell) {
+            const double length = std::sqrt(stretch_bounds(span, cell).low), t = std::fmax(cell.t0, 1e-9);
+            const double sine = stretch_ * std::sqrt(1 - t * t);
+            return density(dvec3{sine, 0, t} / std::hypot(sine, t)) * stretch_ * stretch_ /
+                   (length * length * length);
+        });
+    }
+
   protected:
     double profile(double theta) const override { return density({std::sin(theta), 0, std::cos(theta)}); }
     double peak_over(double, double theta1) const override {
@@ -218,14 +229,26 @@ class Curve final : public Isotropic {
         return spans;
     }
 
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        return make_span_envelope(*this, [this](const LobeParameterization& span, const SpanCell& cell) {
+            const double theta0 = std::acos(span.flip * (span.flip > 0 ? cell.t1 : cell.t0));
+            return largest(theta0, std::acos(span.flip * (span.flip > 0 ? cell.t0 : cell.t1)));
+        });
+    }
+
   protected:
     double profile(double theta) const override { return density({std::sin(theta), 0, std::cos(theta)}); }
 
-    double peak_over(double theta0, double theta1) const override {
+    double largest(double theta0, double theta1) const {
         double peak = std::fmax(profile(theta0), profile(theta1));
         for (std::size_t i = 0; i < data_.size(); i += 2)
             if (data_[i] >= theta0 && data_[i] <= theta1)
                 peak = std::fmax(peak, static_cast<double>(data_[i + 1]));
+        return peak;
+    }
+
+    double peak_over(double theta0, double theta1) const override {
+        const double peak = largest(theta0, theta1);
         const double middle = theta0 < pi / 2 && theta1 > pi / 2 ? 1 : 0;
         return peak * std::fmax(std::fmax(std::sin(theta0), std::sin(theta1)), middle);
     }

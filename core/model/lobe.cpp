@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/model/lobe_envelope.h"
 #include "core/model/picture_lobe.h"
 
 namespace nacre {
@@ -22,6 +23,8 @@ dvec3 LobeModel::mean() const {
 }
 
 std::vector<Facet> LobeModel::facets(std::size_t) const { return {}; }
+
+std::unique_ptr<const LobeEnvelope> LobeModel::envelope() const { return nullptr; }
 
 void LobeModel::visit_points(const std::function<void(const Facet&)>&) const {}
 

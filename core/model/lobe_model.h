@@ -45,6 +45,8 @@ struct LobeParameterization {
     std::vector<double> breaks;  // angles from the axis (radians, in h') where p has a corner, rising
 };
 
+class LobeEnvelope;
+
 class LobeModel {
   public:
     virtual ~LobeModel() = default;
@@ -79,8 +81,16 @@ class LobeModel {
     // another.
     virtual void visit_points(const std::function<void(const Facet&)>& visit) const;
 
-    // A facet as k sees it: density (h.k)+ p(h)/g(k). g(k) must be positive.
+    // A facet as k sees it: density (h.k)+ p(h)/g(k). g(k) must be positive. Exact for every k, but slow
+    // where g is no closed form; VisibleFacets draws faster from envelope().
     virtual dvec3 sample_visible(dvec3 k, Random& random) const = 0;
+
+    // Whether projected_area() and sample_visible() cost no more than a draw from an envelope does.
+    virtual bool closed_form() const { return false; }
+
+    // A density above p that is easily drawn from, see lobe_envelope.h; null where none is known. The lobe
+    // has to outlive it.
+    virtual std::unique_ptr<const LobeEnvelope> envelope() const;
 
   protected:
     LobeModel() = default;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/facet_lobe.h"
+#include "core/model/modulated_envelope.h"
 #include "core/model/moment_pyramid.h"
 #include "core/model/picture_lobe.h"
 #include "core/model/picture_reader.h"
@@ -130,6 +131,10 @@ class Modulated final : public FacetLobe {
             const dvec3 h = base_->sample_visible(k, random);
             if (uniform_random(random) * factor_.peak() < factor_(h)) return h;
         }
+    }
+
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        return make_modulated_envelope(base_->envelope(), factor_);
     }
 
   private:

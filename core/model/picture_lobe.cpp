@@ -8,7 +8,9 @@
 #include "core/model/disk_quadrature.h"
 #include "core/model/facet_lobe.h"
 #include "core/model/lobe_densities.h"
+#include "core/model/modulated_envelope.h"
 #include "core/model/moment_pyramid.h"
+#include "core/model/picture_envelope.h"
 #include "core/model/picture_reader.h"
 #include "core/model/texel_tents.h"
 
@@ -132,6 +134,11 @@ class Painted final : public FacetLobe {
             const double p = picture_(at) * (factor_ ? (*factor_)(at) : 1);
             if (p > 0) visit({h, p * solid_angle});
         });
+    }
+
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        auto picture = make_picture_envelope(*values_);
+        return factor_ ? make_modulated_envelope(std::move(picture), *factor_) : std::move(picture);
     }
 
     // A tent by descent, then a place under it. A tent of which k sees next to nothing may turn out to be

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/model/disk_texels.h"
+#include "core/model/modulation.h"
 #include "core/model/shading.h"
 
 namespace nacre {
@@ -30,12 +31,14 @@ class ModulationFactor {
     explicit ModulationFactor(const Modulation& modulation)
         : strength_(modulation.strength), picture_(*modulation.image.raster) {
         const double brightest = static_cast<double>(largest_on_disk(*modulation.image.raster));
-        peak_ = 1 - strength_ + strength_ * brightest;
+        peak_ = of(brightest);
     }
     template <class Place>
     double operator()(Place at) const {
-        return 1 - strength_ + strength_ * picture_(at);
+        return of(picture_(at));
     }
+    double of(double picture) const { return 1 - strength_ + strength_ * picture; }
+    const Raster& picture() const { return *picture_.raster(); }  // as it is read
     double peak() const { return peak_; }
     int side() const { return picture_.raster()->width; }
 

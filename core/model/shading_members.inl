@@ -82,6 +82,26 @@ void facet_albedo(const Direction& a, real3 h, int channels, const AreaOf& area,
     }
 }
 
+// How often Brdf::sample() draws the cosine about n instead of a facet.
+scalar diffuse_probability() const {
+    return kinds.diffuse == kind_index<Diffuse, NoDiffuse>() ? scalar(0) : scalar(0.5);
+}
+
+// The density of k2 in Brdf::sample(), 1/sr; p that of the facets which mirror k1 into it, c2 its cosine.
+real sampled_density(real g1, real p, real c2) const {
+    const real mirrored = select(g1 > real(0.0), p / (real(4.0) * g1), real(0.0));
+    const real part = diffuse_probability();
+    return (real(1.0) - part) * mirrored + part * (c2 / real(TABLE_PI));
+}
+
+// brdf_of() and that density, from one look at p.
+void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& drawn) const {
+    const HalfVector between = half_vector(a.k, b.k);
+    const real p = select(between.exists, density(between.h), real(0.0));
+    rho = specular_of(a, b, between, p) * surface.ks + diffuse(a, b);
+    drawn = sampled_density(a.g, p, b.k.z);
+}
+
 #undef CONSTANT
 #undef PURE
 #undef READS

@@ -5,6 +5,7 @@
 #include "core/model/beckmann.h"
 #include "core/model/lobe_densities.h"
 #include "core/model/shading.h"
+#include "core/model/span_envelope.h"
 
 namespace nacre {
 namespace {
@@ -40,6 +41,14 @@ class Ggx final : public LobeModel {
 
     dvec3 mean() const override { return {0, 0, n_}; }
     std::vector<LobeParameterization> spans() const override { return {{alpha_, 1, {}}}; }
+
+    // In h' it is |A h'| times both widths.
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        return make_span_envelope(*this, [](const LobeParameterization& span, const SpanCell& cell) {
+            return span.stretch.x * span.stretch.y * std::sqrt(stretch_bounds(span, cell).high);
+        });
+    }
+    bool closed_form() const override { return true; }
 
     // Spherical caps (Dupuy & Benyoub 2023), which hold for k below the horizon too.
     dvec3 sample_visible(dvec3 k, Random& random) const override {
@@ -90,6 +99,16 @@ class Beckmann final : public LobeModel {
     dvec3 mean() const override { return {0, 0, n_}; }
     std::vector<LobeParameterization> spans() const override { return {{alpha_, 1, {}}}; }
 
+    // In h' it is s^2 exp(1 - s) |A h'| times both widths, s = 1/t^2, with its maximum at s = 2.
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        return make_span_envelope(*this, [](const LobeParameterization& span, const SpanCell& cell) {
+            const double near = 1 / (cell.t1 * cell.t1), far = 1 / (cell.t0 * cell.t0);
+            const double s = std::fmin(std::fmax(near, 2.0), far);
+            return span.stretch.x * span.stretch.y * s * s * std::exp(1 - s) *
+                   std::sqrt(stretch_bounds(span, cell).high);
+        });
+    }
+
     dvec3 sample_visible(dvec3 k, Random& random) const override {
         return beckmann_sample_visible(k, alpha_, random);
     }
@@ -118,6 +137,11 @@ class Uniform final : public LobeModel {
         if (sphere_) return {{dvec2{1}, 1, {}}, {dvec2{1}, -1, {}}};
         return {{dvec2{1}, 1, {}}};
     }
+
+    std::unique_ptr<const LobeEnvelope> envelope() const override {
+        return make_span_envelope(*this, [](const LobeParameterization&, const SpanCell&) { return 1.0; });
+    }
+    bool closed_form() const override { return true; }
 
     // A hemisphere is GGX of width 1; a sphere is seen as a cosine about k.
     dvec3 sample_visible(dvec3 k, Random& random) const override {

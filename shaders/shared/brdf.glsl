@@ -49,16 +49,19 @@ HalfVector half_vector(real3 k1, real3 k2) READS {
     return between;
 }
 
-// rho = p(h) F(k.h) P12 / (4 N c1 c2), 1/sr                                  (eq. 11, 26)
-real3 specular(Direction a, Direction b) READS {
-    HalfVector between = half_vector(a.k, b.k);
-    real p = density(between.h);
+// rho = p(h) F(k.h) P12 / (4 N c1 c2), 1/sr; p = density(between.h)           (eq. 11, 26)
+real3 specular_of(Direction a, Direction b, HalfVector between, real p) READS {
     if (none(p > real(0.0))) return real3(0.0);
     real facets = select(between.exists, real(0.25) * p * visibility(a, b), real(0.0));
 #if HAS_TINT
     if (TINTED) return fresnel(between.cosine) * facet_tint(between.h, p) * min(facets, real(LARGEST));
 #endif
     return fresnel(between.cosine) * min(facets, real(LARGEST));
+}
+
+real3 specular(Direction a, Direction b) READS {
+    HalfVector between = half_vector(a.k, b.k);
+    return specular_of(a, b, between, density(between.h));
 }
 
 // The part of a diffuse term that one direction brings, 0 to 1, by the model of shaders/diffuse/.

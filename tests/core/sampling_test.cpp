@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/bake/bake.h"
-#include "core/bake/brdf.h"
+#include "core/bake/brdf_samples.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
 
@@ -71,13 +71,25 @@ std::vector<double> expected_counts(const Brdf& brdf, dvec3 k1) {
     return expected;
 }
 
-std::vector<double> observed_counts(const Brdf& brdf, dvec3 k1, Random& random) {
+std::vector<BrdfSample> one_by_one(const Brdf& brdf, dvec3 k1, Random& random) {
+    std::vector<BrdfSample> drawn;
+    for (int i = 0; i < samples; ++i)
+        if (const auto sample = brdf.sample(k1, random)) drawn.push_back(*sample);
+    return drawn;
+}
+
+std::vector<BrdfSample> side_by_side(const Brdf& brdf, dvec3 k1, Random& random) {
+    std::vector<BrdfSample> drawn(static_cast<std::size_t>(samples));
+    sample_directions(brdf, std::vector<dvec3>(drawn.size(), k1), random, drawn);
+    std::erase_if(drawn, [](const BrdfSample& sample) { return sample.pdf == 0; });
+    return drawn;
+}
+
+std::vector<double> observed_counts(const std::vector<BrdfSample>& drawn) {
     std::vector<double> observed(theta_bins * phi_bins);
-    for (int i = 0; i < samples; ++i) {
-        const auto sample = brdf.sample(k1, random);
-        if (!sample) continue;
-        const int row = std::min(static_cast<int>((1 - sample->k2.z) * theta_bins), theta_bins - 1);
-        double turn = std::atan2(sample->k2.y, sample->k2.x) / (2 * pi);
+    for (const BrdfSample& sample : drawn) {
+        const int row = std::min(static_cast<int>((1 - sample.k2.z) * theta_bins), theta_bins - 1);
+        double turn = std::atan2(sample.k2.y, sample.k2.x) / (2 * pi);
         if (turn < 0) turn += 1;
         const int column = std::min(static_cast<int>(turn * phi_bins), phi_bins - 1);
         observed[static_cast<std::size_t>(row * phi_bins + column)] += 1;
@@ -122,7 +134,7 @@ double significance(std::vector<double> expected, std::vector<double> observed) 
 TEST_SUITE_BEGIN("sampling");
 
 TEST_CASE("samples follow the pdf (chi-square)") {
-    const double level = 1 - std::pow(1 - 0.01, 1.0 / runs);
+    const double level = 1 - std::pow(1 - 0.01, 1.0 / (2 * runs));
     for (const NamedDesign& d : designs()) {
         CAPTURE(d.name);
         const Brdf brdf(bake(d.design));
@@ -130,7 +142,9 @@ TEST_CASE("samples follow the pdf (chi-square)") {
         for (int run = 0; run < runs; ++run) {
             const dvec3 k1 = polar(0.1 + 0.18 * run, 0.7 + 1.1 * run);
             CAPTURE(k1.z);
-            CHECK(significance(expected_counts(brdf, k1), observed_counts(brdf, k1, random)) > level);
+            const std::vector<double> expected = expected_counts(brdf, k1);
+            CHECK(significance(expected, observed_counts(one_by_one(brdf, k1, random))) > level);
+            CHECK(significance(expected, observed_counts(side_by_side(brdf, k1, random))) > level);
         }
     }
 }
@@ -158,6 +172,34 @@ TEST_CASE("a sample's weight is eval cos/pdf, and never above F (1 + 1e-3) for a
                           brdf.tables().shading.fresnel(std::min(cosine, 1.0))[c] * (1 + 1e-3));
             }
             CHECK(brdf.pdf(k1, sample->k2) == sample->pdf);
+        }
+    }
+}
+
+TEST_CASE("many samples at once hold what evaluate() and pdf() say of them, whatever their number") {
+    for (NamedDesign d : designs()) {
+        CAPTURE(d.name);
+        d.design.diffuse = CoupledDiffuse{};
+        const Brdf brdf(bake(d.design));
+        Random random(21);
+        for (const std::size_t count : {1U, 7U, 300U}) {
+            std::vector<dvec3> k1;
+            for (std::size_t i = 0; i < count; ++i)
+                k1.push_back(i % 50 == 3 ? dvec3{0, 0.6, -0.8} : random_direction(random));
+            std::vector<BrdfSample> drawn(count);
+            sample_directions(brdf, k1, random, drawn);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (drawn[i].pdf == 0) {
+                    CHECK(drawn[i].weight == dvec3{0});
+                    continue;
+                }
+                CHECK(k1[i].z > 0);
+                CHECK(drawn[i].k2.z > 0);
+                CHECK(drawn[i].pdf == doctest::Approx(brdf.pdf(k1[i], drawn[i].k2)).epsilon(1e-9));
+                const dvec3 value = brdf.evaluate(k1[i], drawn[i].k2) * (drawn[i].k2.z / drawn[i].pdf);
+                for (int c = 0; c < 3; ++c)
+                    CHECK(drawn[i].weight[c] == doctest::Approx(value[c]).epsilon(1e-9));
+            }
         }
     }
 }
