@@ -57,8 +57,8 @@ class BrdfSampler {
     Shading<double>::Direction from_;
 };
 
-// k mirrored by a facet.
-inline dvec3 mirrored(dvec3 k, dvec3 h) { return glm::normalize(2 * glm::dot(k, h) * h - k); }
+// k mirrored by a facet; of length 1, to rounding, as both are.
+inline dvec3 mirrored(dvec3 k, dvec3 h) { return 2 * glm::dot(k, h) * h - k; }
 
 // One term of the BRDF (term.h says in which unit) from what is known of both directions; `shading` holds the
 // design.

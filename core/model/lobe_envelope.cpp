@@ -1,6 +1,6 @@
 #include "core/model/lobe_envelope.h"
 
-#include <algorithm>
+#include <optional>
 #include <queue>
 #include <utility>
 
@@ -22,18 +22,24 @@ struct OpenPatch {
 // the envelope's scale where few facets are seen.
 std::vector<FacetPatch> split_envelope(const LobeEnvelope& envelope, std::size_t count) {
     const double scale = envelope.scale();
-    const auto drawn = [&](const FacetPatch& patch) { return patch.mass * (scale + patch.radius); };
+    const auto drawn = [&](const std::vector<FacetPatch>& patches) {
+        double sum = 0;
+        for (const FacetPatch& patch : patches) sum += patch.mass * (scale + patch.radius);
+        return sum;
+    };
     std::priority_queue<OpenPatch> open;
     std::vector<FacetPatch> patches;
     const auto wait = [&](const FacetPatch& patch) {
-        std::optional<std::vector<FacetPatch>> parts = envelope.split(patch);
-        if (!parts) {
-            patches.push_back(patch);
-            return;
+        std::optional<OpenPatch> best;
+        const double whole = drawn({patch});
+        for (LobeEnvelope::Parts& parts : envelope.splits(patch)) {
+            const double gain = whole - drawn(parts);
+            if (!best || gain > best->gain) best = {patch, std::move(parts), gain};
         }
-        double gain = drawn(patch);
-        for (const FacetPatch& part : *parts) gain -= drawn(part);
-        open.push({patch, std::move(*parts), gain});
+        if (best)
+            open.push(std::move(*best));
+        else
+            patches.push_back(patch);
     };
     for (const FacetPatch& patch : envelope.whole()) wait(patch);
     while (!open.empty() && patches.size() + open.size() - 1 + open.top().parts.size() <= count) {

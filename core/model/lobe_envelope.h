@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "core/model/lobe_model.h"
@@ -43,8 +42,10 @@ class LobeEnvelope {
     // Patches that hold all facets, those without mass left out.
     virtual std::vector<FacetPatch> whole() const = 0;
 
-    // The parts of a patch, those without mass left out; nothing where it is not to be split.
-    virtual std::optional<std::vector<FacetPatch>> split(const FacetPatch& patch) const = 0;
+    // The parts of a patch, those without mass left out, in each way in which it may be split; no way where
+    // it is not to be.
+    using Parts = std::vector<FacetPatch>;
+    virtual std::vector<Parts> splits(const FacetPatch& patch) const = 0;
 
     // So far from k's horizon as facets typically are where k is at right angles to the lobe's axis.
     virtual double scale() const = 0;

@@ -63,10 +63,10 @@ class ModulatedEnvelope final : public LobeEnvelope {
         : lobe_(std::move(lobe)), factor_(factor), brightest_(factor.picture()) {}
 
     std::vector<FacetPatch> whole() const override { return modulated(lobe_->whole()); }
-    std::optional<std::vector<FacetPatch>> split(const FacetPatch& patch) const override {
-        std::optional<std::vector<FacetPatch>> parts = lobe_->split(patch);
-        if (parts) parts = modulated(std::move(*parts));
-        return parts;
+    std::vector<Parts> splits(const FacetPatch& patch) const override {
+        std::vector<Parts> ways = lobe_->splits(patch);
+        for (Parts& parts : ways) parts = modulated(std::move(parts));
+        return ways;
     }
     double scale() const override { return lobe_->scale(); }
 

@@ -42,15 +42,15 @@ class PictureEnvelope final : public LobeEnvelope {
         return patches;
     }
 
-    std::optional<std::vector<FacetPatch>> split(const FacetPatch& patch) const override {
+    std::vector<Parts> splits(const FacetPatch& patch) const override {
         const std::size_t quarter = (patch.texels.end - patch.texels.begin) / 4;
         if (quarter == 0) return {};
-        std::vector<FacetPatch> parts;
+        Parts parts;
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t begin = patch.texels.begin + i * quarter;
             add({begin, begin + quarter}, parts);
         }
-        return parts;
+        return {parts};
     }
 
     double scale() const override { return 0.1; }

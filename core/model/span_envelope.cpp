@@ -28,17 +28,17 @@ class SpanEnvelope final : public LobeEnvelope {
         return patches;
     }
 
-    // Halves along whichever direction leaves less to be drawn in vain.
-    std::optional<std::vector<FacetPatch>> split(const FacetPatch& patch) const override {
+    // Halves by height or by azimuth.
+    std::vector<Parts> splits(const FacetPatch& patch) const override {
         const SpanCell& cell = patch.cell;
         SpanCell inner = cell, outer = cell, left = cell, right = cell;
         const double rise = cell.t0 + cell.t1;
         inner.t0 = outer.t1 = rise / std::hypot(rise, sine_of(cell.t0) + sine_of(cell.t1));
         left.e0 = right.e1 = glm::normalize(cell.e0 + cell.e1);
-        std::vector<FacetPatch> rings, sectors;
-        for (const SpanCell& part : {inner, outer}) add(patch.span, part, rings);
-        for (const SpanCell& part : {left, right}) add(patch.span, part, sectors);
-        return drawn(rings) < drawn(sectors) ? rings : sectors;
+        std::vector<Parts> ways(2);
+        for (const SpanCell& part : {inner, outer}) add(patch.span, part, ways[0]);
+        for (const SpanCell& part : {left, right}) add(patch.span, part, ways[1]);
+        return ways;
     }
 
     // The mean of (h.k)+ over a Gaussian of width s is 0.28 s.
@@ -60,12 +60,6 @@ class SpanEnvelope final : public LobeEnvelope {
   private:
     // Of |e|^2 along the chord, at its middle.
     static double least_square(const SpanCell& cell) { return 0.5 * (1 + glm::dot(cell.e0, cell.e1)); }
-
-    double drawn(const std::vector<FacetPatch>& patches) const {
-        double sum = 0;
-        for (const FacetPatch& patch : patches) sum += patch.mass * (scale() + patch.radius);
-        return sum;
-    }
 
     void add(std::size_t span, const SpanCell& cell, std::vector<FacetPatch>& patches) const {
         FacetPatch patch;

@@ -85,7 +85,8 @@ void add(Report& report, const std::string& what, const Design& design, double w
             state, count, [&] { sample(brdf, ks, random); },
             [&] {
                 for (const dvec3 k : ks) benchmark::DoNotOptimize(caps(k, random));
-            });
+            },
+            Time::processor);
         Line line = at_most_times(what, pair, wanted);
         line.remark = fmt::format("{:.0f} % of the facets drawn are kept", 100 * kept);
         report.add(std::move(line));

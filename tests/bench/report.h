@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,17 @@ double seconds_of(const Work& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+// The same of the processor, of all threads together: other programs change it little.
+template <class Work>
+double processor_seconds_of(const Work& work) {
+    const std::clock_t begin = std::clock();
+    work();
+    benchmark::ClobberMemory();
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+enum class Time { wall, processor };
+
 // Medians over the repetitions, seconds.
 struct Pair {
     double ours = 0;
@@ -52,13 +64,17 @@ struct Pair {
 // Times ours and theirs in turn, so that whatever else the machine does hits both. The benchmark's own time
 // is ours; both are counters, divided by `items`, what one call works off.
 template <class Ours, class Theirs>
-Pair interleave(benchmark::State& state, double items, const Ours& ours, const Theirs& theirs) {
+Pair interleave(benchmark::State& state, double items, const Ours& ours, const Theirs& theirs,
+                Time time = Time::wall) {
+    const auto taken = [time](const auto& work) {
+        return time == Time::wall ? seconds_of(work) : processor_seconds_of(work);
+    };
     std::vector<double> a, b;
     for ([[maybe_unused]] auto _ : state) {
         const bool ours_first = a.size() % 2 == 0;
-        if (ours_first) a.push_back(seconds_of(ours));
-        b.push_back(seconds_of(theirs));
-        if (!ours_first) a.push_back(seconds_of(ours));
+        if (ours_first) a.push_back(taken(ours));
+        b.push_back(taken(theirs));
+        if (!ours_first) a.push_back(taken(ours));
         state.SetIterationTime(a.back());
     }
     const Pair pair{median(a) / items, median(b) / items};
