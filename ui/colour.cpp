@@ -150,4 +150,14 @@ bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char*
     return linear != before;
 }
 
+void colour_patch(glm::dvec3 linear, float side) {
+    const DisplayColour now = displayed(linear);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        at, {at.x + side, at.y + side},
+        ImGui::ColorConvertFloat4ToU32({now.values[0], now.values[1], now.values[2], 1}), 3);
+    ImGui::Dummy({side, side});
+    ImGui::SameLine();
+}
+
 }  // namespace nacre::ui

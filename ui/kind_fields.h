@@ -2,10 +2,16 @@
 // are.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <optional>
 #include <string>
+#include <variant>
 
 #include "core/model/kinds/kind.h"
+#include "ui/colour_curve.h"
 #include "ui/curve_editor.h"
+#include "ui/list_buttons.h"
 #include "ui/picture_row.h"
 #include "ui/widgets.h"
 
@@ -52,7 +58,8 @@ bool parameter_field(T& kind, const TripleParameter<T>& parameter, CurveView*) {
 template <class T, class Enum, std::size_t count>
 bool parameter_field(T& kind, const ChoiceParameter<T, Enum, count>& parameter, CurveView*) {
     int index = static_cast<int>(kind.*parameter.member);
-    const bool changed = combo(parameter.text.label, index, parameter.labels, parameter.text.tooltip);
+    const bool changed =
+        combo(parameter.text.label, index, parameter.labels, parameter.text.tooltip, {}, parameter.swatch);
     if (changed) kind.*parameter.member = static_cast<Enum>(index);
     return changed;
 }
@@ -62,11 +69,50 @@ bool parameter_field(T& kind, const CurveParameter<T>&, CurveView* curve) {
     return curve && curve_editor(*curve, kind);
 }
 
+template <class Row>
+bool row_fields(Row& row, std::size_t place) {
+    bool changed = false;
+    visit_parameters<Row>([&](const auto& number) {
+        const std::string label = fmt::format("{} {}", number.text.label, place);
+        SliderSpec spec = slider_spec(number.text, number.bounds, number.slider);
+        spec.label = label.c_str();
+        spec.reset = Row{}.*number.member;
+        changed |= slider(spec, row.*number.member);
+    });
+    return changed;
+}
+
+// Rows of numbers, each by its place in the list, with buttons to add and remove one. What would break a rule
+// of the kind is taken back and said.
+template <class T, class Row>
+bool parameter_field(T& kind, const ListParameter<T, Row>& parameter, CurveView*) {
+    const T before = kind;
+    auto& rows = kind.*parameter.member;
+    bool changed = false;
+    for (std::size_t i = 0; i < rows.size(); ++i) changed |= row_fields(rows[i], i + 1);
+    changed |= list_buttons(rows, 0, static_cast<std::size_t>(parameter.rows_max), parameter.text, Row::name,
+                            [] { return Row{}; });
+    const std::optional<KindFault> fault = kind_fault(std::variant<T>(kind));
+    if (!fault) return changed;
+    kind = before;
+    warning_text(fmt::format("{} ({})", fault->problem, fault->found));
+    return false;
+}
+
+template <class T>
+bool parameter_field(T& kind, const ColourCurveParameter<T>& parameter, CurveView*) {
+    return colour_curve_fields(kind.*parameter.member, parameter.text, parameter.theta_bounds,
+                               static_cast<std::size_t>(parameter.points_max));
+}
+
 template <class T>
 bool parameter_field(T& kind, const PictureParameter<T>& parameter, CurveView*) {
     picture_row(parameter.text.label, kind.*parameter.member);
     return false;
 }
+
+template <class T, class Set>
+bool parameter_field(T& kind, const KindParameter<T, Set>& parameter, CurveView* curve);
 
 }  // namespace kind_detail
 
@@ -98,5 +144,17 @@ bool kind_combo(const char* label, Variant& value, const std::string& about, con
     value = KindSet<Variant>::made_by(static_cast<std::size_t>(index), convert);
     return true;
 }
+
+namespace kind_detail {
+
+template <class T, class Set>
+bool parameter_field(T& kind, const KindParameter<T, Set>& parameter, CurveView* curve) {
+    Set& value = kind.*parameter.member;
+    const bool chosen =
+        kind_combo(parameter.text.label, value, parameter.text.tooltip, []<class Made>() { return Made{}; });
+    return kind_fields(value, curve) || chosen;
+}
+
+}  // namespace kind_detail
 
 }  // namespace nacre::ui

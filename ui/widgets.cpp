@@ -134,12 +134,19 @@ bool slider_or_infinity(const SliderSpec& spec, double& value) {
 }
 
 bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip_text,
-           std::span<const char* const> explanations) {
+           std::span<const char* const> explanations, glm::dvec3 (*swatch)(std::size_t)) {
     row_label(label, tooltip_text);
     const int before = index;
-    if (ImGui::BeginCombo(hidden(label).c_str(), names[static_cast<std::size_t>(index)])) {
+    if (swatch != nullptr) {
+        colour_patch(swatch(static_cast<std::size_t>(index)), ImGui::GetFrameHeight());
+        ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    }
+    // A long list is shown whole, as far as the window has room.
+    const ImGuiComboFlags height = names.size() > 8 ? ImGuiComboFlags_HeightLargest : 0;
+    if (ImGui::BeginCombo(hidden(label).c_str(), names[static_cast<std::size_t>(index)], height)) {
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool chosen = index == static_cast<int>(i);
+            if (swatch != nullptr) colour_patch(swatch(i), ImGui::GetTextLineHeight());
             if (ImGui::Selectable(names[i], chosen)) index = static_cast<int>(i);
             if (chosen) ImGui::SetItemDefaultFocus();
             note_item(std::string(item_name(label)) + " " + names[i]);

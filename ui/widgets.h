@@ -30,9 +30,13 @@ bool slider(SliderSpec spec, glm::dvec3& rgb, glm::dvec3 reset);  // `reset` in 
 bool slider_or_infinity(const SliderSpec& spec, double& value);
 bool colour(const char* label, glm::dvec3& linear, glm::dvec3 reset, const char* tooltip = nullptr);
 bool checkbox(const char* label, bool& value, const char* tooltip = nullptr);
-// One of a list. Each entry is named "LABEL ENTRY" for scripts; `explanations` are the entries' own tooltips.
+// One of a list. Each entry is named "LABEL ENTRY" for scripts; `explanations` are the entries' own tooltips,
+// `swatch` tells the colour of an entry where they have one.
 bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip = nullptr,
-           std::span<const char* const> explanations = {});
+           std::span<const char* const> explanations = {}, glm::dvec3 (*swatch)(std::size_t) = nullptr);
+// A square patch of a colour, linear Rec. 709, as a display shows it, `side` pixels wide; the next item
+// stands beside it.
+void colour_patch(glm::dvec3 linear, float side);
 bool text_field(const char* label, std::string& text, const char* hint = "", const char* tooltip = nullptr);
 
 // Free text of several lines over the whole width: wrapped to read, a click edits it.

@@ -45,6 +45,14 @@ std::string_view kind_name_of(int kind) {
     return KindSet<Variant>::names[static_cast<std::size_t>(kind)];
 }
 
+// How F is a table, if it is.
+std::string curve_text(const Shading<double>& shading) {
+    if (!shading.fresnel_curve) return "";
+    const FresnelCurve& curve = *shading.fresnel_curve;
+    return fmt::format(", a table of {} colours{}", curve.nodes,
+                       curve.clipped > 5e-4 ? fmt::format(", clipped by up to {:.2g}", curve.clipped) : "");
+}
+
 // What the shader of these tables is made of.
 std::vector<std::string> shader_parts(const Tables& tables) {
     const ShaderVariant variant = variant_of(tables.shading);
@@ -57,7 +65,8 @@ std::vector<std::string> shader_parts(const Tables& tables) {
     parts.push_back(fmt::format("shadowing {}{}", kind_name_of<MaskingModel>(kinds.masking),
                                 kinds.clamp ? ", clamped" : ""));
     if (kinds.fresnel != kind_index<Fresnel, NoFresnel>())
-        parts.push_back(fmt::format("fresnel {}", kind_name_of<Fresnel>(kinds.fresnel)));
+        parts.push_back(
+            fmt::format("fresnel {}{}", kind_name_of<Fresnel>(kinds.fresnel), curve_text(tables.shading)));
     if (kinds.diffuse != kind_index<Diffuse, NoDiffuse>())
         parts.push_back(fmt::format("diffuse {}", kind_name_of<Diffuse>(kinds.diffuse)));
     parts.emplace_back("table of g");

@@ -249,6 +249,7 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     tables.errors.area = made.area.error.all;
     tables.tried_area = made.area.tried;
     if (made.albedo.data) add_albedo(made, tables, workers);
+    append_fresnel_curve(shading, tables.data);
     describe_layers(made.design.distribution, *tables.distribution, shading, tables.data);
     shading.data = tables.data.data();
 }

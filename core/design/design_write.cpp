@@ -89,6 +89,14 @@ std::string picture_text(const Picture& picture, const std::string& where, const
     return raster_text(*picture.raster);
 }
 
+std::string curve_text(const std::vector<ColourPoint>& points) {
+    std::string text;
+    for (const auto& [theta, c] : points)
+        text += fmt::format("{}[{}, {}, {}, {}]", text.empty() ? "" : ", ", number(theta), number(c.x),
+                            number(c.y), number(c.z));
+    return '[' + text + ']';
+}
+
 std::string curve_text(const std::vector<std::pair<double, double>>& points) {
     std::string text;
     for (const auto& [theta, value] : points)
@@ -118,18 +126,44 @@ std::string value_text(const T& kind, const CurveParameter<T>& parameter) {
     return curve_text(kind.*parameter.member);
 }
 
+template <class T>
+std::string value_text(const T& kind, const ColourCurveParameter<T>& parameter) {
+    return curve_text(kind.*parameter.member);
+}
+template <class T, class Row>
+std::string value_text(const T& kind, const ListParameter<T, Row>& parameter);
+template <class T, class Set>
+std::string value_text(const T& kind, const KindParameter<T, Set>& parameter);
+
 // `, "key": value` of every parameter but pictures, which come last in a layer.
+template <class T>
+std::string fields_text(const T& kind) {
+    std::string text;
+    visit_parameters<T>([&]<class Parameter>(const Parameter& parameter) {
+        if constexpr (!std::is_same_v<Parameter, PictureParameter<T>>)
+            text += fmt::format(", \"{}\": {}", parameter.text.key, value_text(kind, parameter));
+    });
+    return text;
+}
+
 template <class Variant>
 std::string parameters_text(const Variant& value) {
+    return std::visit([](const auto& kind) { return fields_text(kind); }, value);
+}
+
+template <class T, class Row>
+std::string value_text(const T& kind, const ListParameter<T, Row>& parameter) {
     std::string text;
-    const auto append = [&]<class T>(const T& kind) {
-        visit_parameters<T>([&]<class Parameter>(const Parameter& parameter) {
-            if constexpr (!std::is_same_v<Parameter, PictureParameter<T>>)
-                text += fmt::format(", \"{}\": {}", parameter.text.key, value_text(kind, parameter));
-        });
-    };
-    std::visit(append, value);
-    return text;
+    for (const Row& row : kind.*parameter.member)
+        text += fmt::format("{}{{{}}}", text.empty() ? "" : ", ", fields_text(row).substr(2));
+    return '[' + text + ']';
+}
+
+// With the parameters of the kind behind its name.
+template <class T, class Set>
+std::string value_text(const T& kind, const KindParameter<T, Set>& parameter) {
+    const Set& value = kind.*parameter.member;
+    return quoted(kind_name(value)) + parameters_text(value);
 }
 
 std::string lobe_pictures_text(const Lobe& lobe, const std::string& where, const Target& target) {
@@ -200,7 +234,7 @@ int version_of(const Design& design) {
     const bool newer = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
         return is_tinted(layer) || layer.source.has_value();
     });
-    return newer || design.specular != Specular{} ? 2 : 1;
+    return std::max(newer || design.specular != Specular{} ? 2 : 1, file_version(design.fresnel));
 }
 
 std::string design_json(const Design& design, const fs::path& base_dir) {

@@ -1,5 +1,7 @@
 #include "core/design/kind_read.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "core/base/limits.h"
@@ -58,6 +60,37 @@ std::vector<std::pair<double, double>> kind_detail::read_curve(const JsonValue& 
         std::any_of(points.begin(), points.end(), [](const auto& point) { return point.second > 0; });
     if (!has_facets) json.fail("one point at least needs a value above 0");
     return points;
+}
+
+std::vector<ColourPoint> kind_detail::read_colour_curve(const JsonValue& json, Range theta_bounds,
+                                                        Range value_bounds, int points_max) {
+    const std::string expected =
+        fmt::format("must be a list of 1 to {} points, [[theta, red, green, blue], ...]", points_max);
+    std::vector<ColourPoint> points;
+    for (const JsonValue& point : json.elements(expected)) {
+        const char* const form = "must be a point, [theta, red, green, blue]";
+        const std::vector<JsonValue> parts = point.elements(form);
+        if (parts.size() != 4) point.fail(form);
+        const double theta = parts[0].number(theta_bounds);
+        if (!points.empty() && theta <= points.back().theta)
+            parts[0].fail(
+                fmt::format("theta must rise from point to point, here above {}", points.back().theta));
+        points.push_back(
+            {theta,
+             {parts[1].number(value_bounds), parts[2].number(value_bounds), parts[3].number(value_bounds)}});
+    }
+    if (points.empty() || points.size() > static_cast<std::size_t>(points_max)) json.fail(expected);
+    return points;
+}
+
+std::size_t kind_detail::read_kind_name(ObjectReader& reader, std::string_view key,
+                                        std::span<const std::string_view> names, std::size_t otherwise,
+                                        const char* no_other) {
+    if (!reader.has(key)) return otherwise;
+    const JsonValue json = reader.at(key);
+    const bool known = json.is_text() && std::ranges::find(names, json.text()) != names.end();
+    if (!known) json.fail(fmt::format("must be one of \"{}\": {}", fmt::join(names, "\", \""), no_other));
+    return json.choice(names);
 }
 
 }  // namespace nacre

@@ -45,6 +45,15 @@ void read_parameter(ObjectReader& reader, T& kind, const ChoiceParameter<T, Enum
 std::vector<std::pair<double, double>> read_curve(const JsonValue& json, Range theta, Range value,
                                                   int points_max);
 
+std::vector<ColourPoint> read_colour_curve(const JsonValue& json, Range theta, Range value, int points_max);
+
+template <class T>
+void read_parameter(ObjectReader& reader, T& kind, const ColourCurveParameter<T>& parameter) {
+    if (reader.has(parameter.text.key))
+        kind.*parameter.member = read_colour_curve(reader.at(parameter.text.key), parameter.theta_bounds,
+                                                   parameter.value_bounds, parameter.points_max);
+}
+
 template <class T>
 void read_parameter(ObjectReader& reader, T& kind, const CurveParameter<T>& parameter) {
     if (reader.has(parameter.text.key))
@@ -56,6 +65,46 @@ void read_parameter(ObjectReader& reader, T& kind, const CurveParameter<T>& para
 template <class T>
 void read_parameter(ObjectReader& reader, T&, const PictureParameter<T>& parameter) {
     reader.required(parameter.text.key, "a picture's path or a raster");
+}
+
+template <class T, class Row>
+void read_parameter(ObjectReader& reader, T& kind, const ListParameter<T, Row>& parameter);
+template <class T, class Set>
+void read_parameter(ObjectReader& reader, T& kind, const KindParameter<T, Set>& parameter);
+
+template <class T>
+void read_parameters(ObjectReader& reader, T& kind) {
+    visit_parameters<T>([&](const auto& parameter) { read_parameter(reader, kind, parameter); });
+}
+
+template <class T, class Row>
+void read_parameter(ObjectReader& reader, T& kind, const ListParameter<T, Row>& parameter) {
+    if (!reader.has(parameter.text.key)) return;
+    const JsonValue json = reader.at(parameter.text.key);
+    const std::string expected = fmt::format("must be a list of at most {} objects", parameter.rows_max);
+    const std::vector<JsonValue> elements = json.elements(expected);
+    if (elements.size() > static_cast<std::size_t>(parameter.rows_max)) json.fail(expected);
+    std::vector<Row> rows(elements.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        ObjectReader row(elements[i]);
+        read_parameters(row, rows[i]);
+        row.finish(fmt::format("a {}", Row::name));
+    }
+    kind.*parameter.member = std::move(rows);
+}
+
+// Throws a UserError that tells why where the name is not one of the set's.
+std::size_t read_kind_name(ObjectReader& reader, std::string_view key,
+                           std::span<const std::string_view> names, std::size_t otherwise,
+                           const char* no_other);
+
+template <class T, class Set>
+void read_parameter(ObjectReader& reader, T& kind, const KindParameter<T, Set>& parameter) {
+    Set& value = kind.*parameter.member;
+    const std::size_t index =
+        read_kind_name(reader, parameter.text.key, KindSet<Set>::names, value.index(), parameter.no_other);
+    if (index != value.index()) value = KindSet<Set>::made(index);
+    std::visit([&](auto& chosen) { read_parameters(reader, chosen); }, value);
 }
 
 template <class T, class Parameter>
@@ -74,12 +123,7 @@ void load_picture(const ObjectReader& reader, T& kind, const PictureParameter<T>
 template <class Variant>
 Variant read_kind(ObjectReader& reader, std::string_view key) {
     Variant value = KindSet<Variant>::made(reader.choice(key, KindSet<Variant>::names, 0));
-    std::visit(
-        [&]<class T>(T& kind) {
-            visit_parameters<T>(
-                [&](const auto& parameter) { kind_detail::read_parameter(reader, kind, parameter); });
-        },
-        value);
+    std::visit([&](auto& kind) { kind_detail::read_parameters(reader, kind); }, value);
     return value;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/design/design_check.h"
 #include "core/formats/error_json.h"
+#include "core/formats/material_json.h"
 
 namespace nacre {
 namespace {
@@ -154,46 +155,6 @@ void add_fresnel_rules(const Tables& tables, Json& json) {
             json["albedo_of_design"] = shared ? "R = tint R0: each colour" : "R = R0: each colour";
             break;
     }
-}
-
-// One parameter of a model, as its list has it.
-template <class T>
-void add_parameter(const T& model, const NumberParameter<T>& parameter, Json& json) {
-    json[std::string(parameter.text.table_key())] = model.*parameter.member;
-}
-template <class T>
-void add_parameter(const T& model, const ColourParameter<T>& parameter, Json& json) {
-    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
-}
-template <class T>
-void add_parameter(const T& model, const TripleParameter<T>& parameter, Json& json) {
-    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
-}
-
-template <class Variant>
-void add_model(const char* key, const Variant& value, Json& json) {
-    json[key] = kind_name(value);
-    std::visit(
-        [&]<class T>(const T& model) {
-            visit_parameters<T>([&](const auto& parameter) { add_parameter(model, parameter, json); });
-        },
-        value);
-}
-
-bool has_intensity(const Design& design) { return design.specular != Specular{}; }
-
-Json material_json(const Design& design, const Tables& tables) {
-    const auto& surface = tables.shading.surface;
-    Json json;
-    add_model("fresnel", design.fresnel, json);
-    add_model("shadowing", design.shadowing.model, json);
-    json["clamp"] = design.shadowing.clamp;
-    add_model("diffuse", design.diffuse, json);
-    if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
-    if (tables.needs.albedo) json["coupling"] = numbers(surface.coupling);
-    if (has_intensity(design)) json["specular_intensity"] = design.specular.intensity;
-    if (tables.needs.tint == Tint::shared) json["tint"] = numbers(tables.shading.layers[0].tint);
-    return json;
 }
 
 template <class Variant>

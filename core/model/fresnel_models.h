@@ -13,15 +13,19 @@ namespace nacre {
 // Besides what every kind has:
 //
 //   tables                   which tables of R it needs
-//   shader()                 the numbers that NAME_fresnel() of shaders/fresnel/NAME.glsl reads
-//   of_normal_reflectance()  the model with this f0, as nearly as it can have it
-//   formula                  F at c = k.h, as the manifest of exported tables has it
-//   note                     what the window says of it where it has no parameter
+//   shader()         the numbers that NAME_fresnel() of shaders/fresnel/NAME.glsl reads, or the table
+//   of_reflectance() the model with this F, as nearly as it can have it: straight on first
+//   formula          F at c = k.h, as the manifest of exported tables has it
+//   note             what the window says of it where it has no parameter
+//
+// It may have
+//
+//   is_curve         true: F is a table, which shader() gives and NAME_fresnel() reads by table_fresnel()
 template <class T>
-concept FresnelModel = Kind<T> && requires(const T model, glm::dvec3 f0) {
+concept FresnelModel = Kind<T> && requires(const T model, const Reflectance& wanted) {
     { T::tables } -> std::convertible_to<FresnelTables>;
     { model.shader() } -> std::same_as<ShaderFresnel>;
-    { T::of_normal_reflectance(f0) } -> std::same_as<T>;
+    { T::of_reflectance(wanted) } -> std::same_as<T>;
     { T::formula } -> std::convertible_to<const char*>;
     { T::note } -> std::convertible_to<const char*>;
 };
@@ -35,6 +39,16 @@ inline constexpr auto tables_of_fresnel = KindSet<Fresnel>::each([]<class T>() {
 
 // Which tables of R the model of that index needs.
 constexpr FresnelTables fresnel_tables(std::size_t index) { return tables_of_fresnel[index]; }
+
+inline constexpr auto curves_of_fresnel = KindSet<Fresnel>::each([]<class T>() {
+    if constexpr (requires { T::is_curve; })
+        return T::is_curve;
+    else
+        return false;
+});
+
+// Whether the model of that index is a table.
+constexpr bool fresnel_is_curve(std::size_t index) { return curves_of_fresnel[index]; }
 
 constexpr FresnelTables fresnel_tables(const Fresnel& fresnel) { return fresnel_tables(fresnel.index()); }
 

@@ -199,6 +199,7 @@ struct LaneShading {
     using condition = LaneMask<D>;
 
     real fetch(integer index) const { return gather<D>(data, index); }
+    real fetch_curve(integer index) const { return gather<D>(curve, index); }
 
 #include "core/model/shading_members.inl"
 };

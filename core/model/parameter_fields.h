@@ -62,6 +62,7 @@ template <class To, class From>
 void copy_surface(To& to, const From& from) {
     to.kinds = from.kinds;
     to.data = from.data;
+    to.curve = from.curve;
     const auto copy = [](const char*, auto& field, const auto& value) {
         field = std::remove_reference_t<decltype(field)>(value);
     };

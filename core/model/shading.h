@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 
 #include "core/base/limits.h"
 #include "core/model/diffuse_models.h"
@@ -28,6 +29,9 @@ struct ShadingKinds {
 
     constexpr FresnelTables fresnel_tables() const {
         return nacre::fresnel_tables(static_cast<std::size_t>(fresnel));
+    }
+    constexpr bool fresnel_is_curve() const {
+        return nacre::fresnel_is_curve(static_cast<std::size_t>(fresnel));
     }
     constexpr MaskingBends masking_bends() const {
         return nacre::masking_bends(static_cast<std::size_t>(masking));
@@ -69,8 +73,11 @@ struct Shading {
     using condition = bool;
 
     real fetch(integer index) const { return static_cast<real>(data[index]); }
+    real fetch_curve(integer index) const { return static_cast<real>(curve[index]); }
 
 #include "core/model/shading_members.inl"
+
+    std::shared_ptr<const FresnelCurve> fresnel_curve;  // what `curve` points into
 };
 
 }  // namespace shading_detail

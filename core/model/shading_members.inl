@@ -40,11 +40,13 @@ Surface surface = plain_surface();
 Layer layers[limits::layers_max]{};
 int layer_count = 0;
 const float* data = nullptr;  // tables, curves and pictures; owned by the Tables this was made from
+const float* curve = nullptr;  // F, where it is a table; owned by fresnel_curve of the Shading<double> this was made from
 
 // A kind need not look at all that its function is given.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "shaders/shared/fresnel.glsl"
+#include "shaders/shared/fresnel_curve.glsl"
 #include "core/model/fresnel_members.inl"
 #include "shaders/shared/pictures.glsl"
 #include "core/model/lobes_members.inl"

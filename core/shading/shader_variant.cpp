@@ -160,7 +160,9 @@ std::string shared_parameters(const ShaderVariant& variant) {
 std::string shared_mathematics(const ShaderVariant& variant) {
     const ShadingKinds& kinds = variant.kinds;
     const KindTexts lobe = kind_texts<Lobe>("lobes", "LOBE_CASE", {"_lobe"}, lobes_of(variant));
-    const KindTexts fresnel = kind_texts<Fresnel>("fresnel", "FRESNEL_CASE", {"_fresnel"}, {kinds.fresnel});
+    KindTexts fresnel = kind_texts<Fresnel>("fresnel", "FRESNEL_CASE", {"_fresnel"}, {kinds.fresnel});
+    if (kinds.fresnel_is_curve())
+        fresnel.functions.insert(0, text_of("fetch_curve.glsl") + text_of("shared/fresnel_curve.glsl"));
     const KindTexts masking =
         kind_texts<MaskingModel>("masking", "MASKING_CASE", {"_masking"}, {kinds.masking});
     const KindTexts diffuse = kind_texts<Diffuse>("diffuse", "DIFFUSE_CASE",

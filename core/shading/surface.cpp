@@ -33,6 +33,10 @@ void describe_fresnel(const Fresnel& fresnel, Shader& shading) {
     const ShaderFresnel numbers = std::visit([](const auto& model) { return model.shader(); }, fresnel);
     shading.surface.fresnel_a = numbers.a;
     shading.surface.fresnel_b = numbers.b;
+    shading.fresnel_curve = numbers.curve;
+    if (!numbers.curve) return;
+    shading.curve = numbers.curve->values.data();
+    shading.surface.fresnel_a = {0, numbers.curve->nodes, 0};
 }
 
 // The bake reads them before the layers are described whole.
@@ -67,6 +71,10 @@ void describe_layers(const Distribution& distribution, const FacetDistribution& 
     }
 }
 
+void append_fresnel_curve(Shading<double>& shading, std::vector<float>& data) {
+    if (shading.fresnel_curve) shading.surface.fresnel_a.x = append(data, shading.fresnel_curve->values);
+}
+
 void describe_material(const Design& design, const FacetDistribution& facets, Shading<double>& shading) {
     shading.kinds.masking = static_cast<int>(design.shadowing.model.index());
     shading.kinds.diffuse = static_cast<int>(design.diffuse.index());
@@ -86,10 +94,12 @@ void describe_material(const Design& design, const FacetDistribution& facets, Sh
     surface.ks = diffuse.ks * design.specular.intensity;
 }
 
-dvec3 normal_reflectance(const Fresnel& fresnel) {
+Reflectance reflectance_of(const Fresnel& fresnel) {
     Shader shading;
     describe_fresnel(fresnel, shading);
-    return shading.fresnel(1);
+    return [shading](double cosine) { return shading.fresnel(cosine); };
 }
+
+dvec3 normal_reflectance(const Fresnel& fresnel) { return reflectance_of(fresnel)(1); }
 
 }  // namespace nacre

@@ -16,6 +16,13 @@ void describe_layers(const Distribution& distribution, const FacetDistribution& 
 // Masking, Fresnel and diffuse; coupling stays 0 until the albedo is known.
 void describe_material(const Design& design, const FacetDistribution& facets, Shading<double>& shading);
 
+// Appends F to `data`, for the shader, where it is a table; offsets up to 2^24 keep all their digits in a
+// float.
+void append_fresnel_curve(Shading<double>& shading, std::vector<float>& data);
+
+// F of a model.
+Reflectance reflectance_of(const Fresnel& fresnel);
+
 // F(1), each colour.
 dvec3 normal_reflectance(const Fresnel& fresnel);
 

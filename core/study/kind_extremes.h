@@ -40,6 +40,14 @@ inline Picture checkerboard(int side) {
 
 namespace extremes_detail {
 
+// Those choices of a list: all of a few, the first and the last of many.
+inline std::vector<std::size_t> listed(std::size_t count) {
+    if (count > 4) return {0, count - 1};
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < count; ++i) all.push_back(i);
+    return all;
+}
+
 // One value of a parameter, and how it is called.
 template <class T>
 struct Setting {
@@ -100,8 +108,43 @@ Settings<T> settings_of(const TripleParameter<T>& parameter) {
 template <class T, class Enum, std::size_t count>
 Settings<T> settings_of(const ChoiceParameter<T, Enum, count>& parameter) {
     Settings<T> settings;
-    for (std::size_t i = 0; i < count; ++i)
+    for (const std::size_t i : listed(count))
         settings.push_back(setting(std::string(parameter.names[i]), parameter.member, static_cast<Enum>(i)));
+    return settings;
+}
+
+// Empty, and as long as it may be with rows at either end of their bounds.
+template <class T, class Row>
+Settings<T> settings_of(const ListParameter<T, Row>& parameter) {
+    Row low, high;
+    visit_parameters<Row>([&](const auto& number) {
+        low.*number.member = number.bounds.low;
+        high.*number.member = number.bounds.high;
+    });
+    const auto size = static_cast<std::size_t>(parameter.rows_max);
+    return {setting("none", parameter.member, std::vector<Row>{}),
+            setting("all low", parameter.member, std::vector<Row>(size, low)),
+            setting("one high", parameter.member, std::vector<Row>{high})};
+}
+
+template <class T>
+Settings<T> settings_of(const ColourCurveParameter<T>& parameter) {
+    const auto [low, high] = parameter.value_bounds;
+    const auto [begin, end] = parameter.theta_bounds;
+    using Points = std::vector<ColourPoint>;
+    return {setting("lowest", parameter.member, Points{{begin, glm::dvec3(low)}}),
+            setting("highest to lowest", parameter.member,
+                    Points{{begin, glm::dvec3(high)}, {end, glm::dvec3(low)}}),
+            setting("highest", parameter.member, Points{{begin, glm::dvec3(high)}})};
+}
+
+// Each kind of the other set as it comes.
+template <class T, class Set>
+Settings<T> settings_of(const KindParameter<T, Set>& parameter) {
+    Settings<T> settings;
+    for (std::size_t i = 0; i < KindSet<Set>::count; ++i)
+        settings.push_back(
+            setting(std::string(KindSet<Set>::names[i]), parameter.member, KindSet<Set>::made(i)));
     return settings;
 }
 

@@ -66,6 +66,46 @@ Allowed allowed(const CurveParameter<T>& p) {
         fmt::format("[{}]", fmt::join(points, ", "))};
 }
 template <class T>
+Allowed allowed(const ColourCurveParameter<T>& p) {
+    std::vector<std::string> points;
+    for (const T otherwise; const auto& [theta, c] : otherwise.*p.member)
+        points.push_back(fmt::format("[{}, {}, {}, {}]", theta, c.x, c.y, c.z));
+    return {
+        fmt::format(
+            "1 to {} points `[theta, red, green, blue]`: theta from {} to {} degrees, rising; colours from "
+            "{} to {}",
+            p.points_max, p.theta_bounds.low, p.theta_bounds.high, p.value_bounds.low, p.value_bounds.high),
+        fmt::format("[{}]", fmt::join(points, ", "))};
+}
+template <class T, class Row>
+Allowed allowed(const ListParameter<T, Row>& p) {
+    std::vector<std::string> keys, defaults;
+    visit_parameters<Row>([&](const auto& parameter) {
+        keys.push_back(fmt::format("`{}` ({}; default {}): {}", parameter.text.key, allowed(parameter).value,
+                                   allowed(parameter).otherwise, cell(parameter.text.tooltip)));
+        defaults.push_back(fmt::format("\"{}\": {}", parameter.text.key, allowed(parameter).otherwise));
+    });
+    return {fmt::format("list of at most {} objects: {}", p.rows_max, fmt::join(keys, " ")),
+            fmt::format("[{{{}}}]", fmt::join(defaults, ", "))};
+}
+template <class T, class Set>
+Allowed allowed(const KindParameter<T, Set>& p) {
+    const Set otherwise = T{}.*p.member;
+    std::string parameters;
+    const auto append = [&]<class Kind>(const Kind& kind) {
+        visit_parameters<Kind>([&]<class Parameter>(const Parameter& parameter) {
+            if constexpr (requires { parameter.names; })
+                parameters +=
+                    fmt::format(", \"{}\": \"{}\"", parameter.text.key,
+                                parameter.names.at(static_cast<std::size_t>(kind.*parameter.member)));
+        });
+    };
+    std::visit(append, otherwise);
+    return {fmt::format("`\"{}\"`, with that model's own keys beside it",
+                        fmt::join(KindSet<Set>::names, "\"` or `\"")),
+            fmt::format("\"{}\"{}", kind_name(otherwise), parameters)};
+}
+template <class T>
 Allowed allowed(const PictureParameter<T>&) {
     return {"a picture", "required"};
 }
@@ -74,9 +114,12 @@ template <class Variant>
 std::string kinds_text(const char* title, const char* key) {
     std::string text = fmt::format("### {}\n\n", title);
     for (std::size_t i = 0; i < KindSet<Variant>::count; ++i) {
-        text +=
-            fmt::format("`\"{}\": \"{}\"`{}: {}\n\n", key, KindSet<Variant>::names[i],
-                        i == 0 ? " (where the key is missing)" : "", cell(KindSet<Variant>::explanations[i]));
+        text += fmt::format("`\"{}\": \"{}\"`{}: {}\n\n", key, KindSet<Variant>::names[i],
+                            (i == 0 ? " (where the key is missing)" : "") +
+                                (file_version(KindSet<Variant>::made(i)) > 1
+                                     ? fmt::format(" (version {})", file_version(KindSet<Variant>::made(i)))
+                                     : std::string()),
+                            cell(KindSet<Variant>::explanations[i]));
         std::string rows;
         std::visit(
             [&]<class T>(const T&) {

@@ -84,6 +84,33 @@ struct RandomParameter {
                                 number(parameter.value_bounds.low, parameter.value_bounds.high));
     }
     template <class T>
+    void operator()(T& kind, const ColourCurveParameter<T>& parameter) const {
+        const Range bounds = parameter.value_bounds;
+        auto& points = kind.*parameter.member;
+        points = {{parameter.theta_bounds.low, colour(bounds.low, bounds.high)}};
+        for (int i = integer(0, 5); i > 0; --i)
+            points.push_back({points.back().theta + number(1e-3, 15), colour(bounds.low, bounds.high)});
+    }
+    // Rules between a kind's parameters bound the sum of the rows: few of them.
+    template <class T, class Row>
+    void operator()(T& kind, const ListParameter<T, Row>& parameter) const {
+        auto& rows = kind.*parameter.member;
+        rows.resize(static_cast<std::size_t>(integer(0, std::min(parameter.rows_max, 3))));
+        for (Row& row : rows) fill(row);
+        if (kind_fault(std::variant<T>(kind))) rows.resize(1);
+    }
+    template <class T, class Set>
+    void operator()(T& kind, const KindParameter<T, Set>& parameter) const {
+        Set& value = kind.*parameter.member;
+        value = KindSet<Set>::made(
+            static_cast<std::size_t>(integer(0, static_cast<int>(KindSet<Set>::count) - 1)));
+        std::visit([&](auto& chosen) { fill(chosen); }, value);
+    }
+    template <class T>
+    void fill(T& kind) const {
+        visit_parameters<T>([&](const auto& parameter) { (*this)(kind, parameter); });
+    }
+    template <class T>
     void operator()(T& kind, const PictureParameter<T>& parameter) const {
         kind.*parameter.member = random_picture(files);
     }
@@ -93,11 +120,7 @@ template <class Variant>
 Variant random_kind(const std::vector<Picture>& files = {}) {
     Variant value = KindSet<Variant>::made(
         static_cast<std::size_t>(integer(0, static_cast<int>(KindSet<Variant>::count) - 1)));
-    std::visit(
-        [&]<class T>(T& kind) {
-            visit_parameters<T>([&](const auto& parameter) { RandomParameter{files}(kind, parameter); });
-        },
-        value);
+    std::visit([&](auto& kind) { RandomParameter{files}.fill(kind); }, value);
     return value;
 }
 

@@ -1,6 +1,6 @@
 """A reader of baked tables that has nothing but their folder: it evaluates the formulas of manifest.json as they are written there
 (docs/tables.md)."""
-import json, re
+import functools, json, re
 import numpy as np
 import OpenImageIO as oiio
 
@@ -43,6 +43,8 @@ class Stranger:
         self.tables = {table["quantity"]: self.pictures[table["file"]] for table in self.manifest["tables"]}
         self.known = {**FUNCTIONS, **{key: np.array(value) if isinstance(value, list) else value
                                       for part in ("constants", "material") for key, value in self.manifest[part].items()}}
+        if "fresnel_curve" in self.known:
+            self.known["fresnel_curve"] = functools.partial(rows_at, self.known["fresnel_curve"])
         self.known.update(turns=turns, F=self.fresnel, p=self.p, q=self.q, R=lambda k: self.direction(k)["R"])
         for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual")):
             self.known[name] = lambda at, row, quantity=quantity: self.look_up(quantity, at, row)
@@ -116,6 +118,11 @@ class Stranger:
             x, y = k[:2] if k[0] or k[1] else self.known["axis"]
             scope.update({"g" + index: self.direction(k)["g"], "x" + index: x, "y" + index: y, "z" + index: k[2]})
         return np.broadcast_to(self.follow(self.manifest["brdf"], scope)["rho"], 3)
+
+
+def rows_at(rows, place):
+    """Straight lines between rows that stand at i/(n-1)."""
+    return np.array([np.interp(place, np.linspace(0, 1, len(rows)), column) for column in rows.T])
 
 
 def bilinear(texels, column, row, below):

@@ -1,5 +1,7 @@
 #include "ui/material_panel.h"
 
+#include <cmath>
+
 #include "core/design/design.h"
 #include "core/shading/surface.h"
 #include "tests/ui/panel_rig.h"
@@ -83,6 +85,71 @@ TEST_CASE("material: conductors and dielectrics have their sliders within the li
     fresnel = DielectricFresnel{};
     rig.enter_number("IOR", "0.3");
     CHECK(std::get<DielectricFresnel>(fresnel).ior == DielectricFresnel{}.ior);
+}
+
+TEST_CASE("material: gold by a colour becomes a conductor of that colour, not a red one") {
+    const glm::dvec3 gold(1, 0.71, 0.29);
+    Fresnel fresnel = SchlickFresnel{gold};
+    PanelRig rig([&] { ui::fresnel_panel(fresnel); });
+    rig.choose("Fresnel", "Conductor");
+    const auto& conductor = std::get<ConductorFresnel>(fresnel);
+    for (int i = 0; i < 3; ++i) {
+        CHECK(conductor.eta[i] < 3);
+        CHECK(conductor.k[i] < 5);
+        CHECK(std::fabs(normal_reflectance(fresnel)[i] - gold[i]) < 3e-3);
+    }
+    rig.choose("Fresnel", "F82");
+    CHECK(std::get<F82Fresnel>(fresnel).f0.y == doctest::Approx(gold.y).epsilon(1e-6));
+    rig.choose("Fresnel", "Measured");
+    CHECK(fresnel == Fresnel(MeasuredFresnel{Material::gold}));
+}
+
+TEST_CASE("material: a measured material is chosen by name, and lies under films") {
+    Fresnel fresnel = MeasuredFresnel{};
+    PanelRig rig([&] { ui::fresnel_panel(fresnel); });
+    rig.choose("Measured material", "Copper");
+    CHECK(fresnel == Fresnel(MeasuredFresnel{Material::copper}));
+    rig.choose("Fresnel", "Thin film");
+    CHECK(fresnel == Fresnel(FilmFresnel{MeasuredFresnel{Material::copper}}));
+    rig.choose("Measured material", "Silver");
+    rig.enter_number("Thickness 1", "450");
+    rig.click("Add film");
+    rig.enter_number("Film IOR 2", "2.25");
+    const std::vector<FilmLayer>& stack = std::get<FilmFresnel>(fresnel).stack;
+    REQUIRE(stack.size() == 2);
+    CHECK(stack[0].ior == 1.5);
+    CHECK(stack[0].thickness == 450);
+    CHECK(stack[1].ior == 2.25);
+    CHECK(stack[1].thickness == FilmLayer{}.thickness);
+    CHECK(std::get<FilmFresnel>(fresnel).over == FilmFresnel::Base(MeasuredFresnel{Material::silver}));
+    rig.click("Remove film");
+    rig.click("Remove film");
+    rig.click("Remove film");
+    CHECK(std::get<FilmFresnel>(fresnel).stack.empty());
+    rig.choose("Film over", "Dielectric");
+    rig.enter_number("IOR", "1.33");
+    CHECK(std::get<FilmFresnel>(fresnel).over == FilmFresnel::Base(DielectricFresnel{1.33}));
+}
+
+TEST_CASE("material: the points of a drawn curve keep their order") {
+    Fresnel fresnel = CurveFresnel{{{0, glm::dvec3(0.5)}, {80, glm::dvec3(1)}}};
+    PanelRig rig([&] { ui::fresnel_panel(fresnel); });
+    const auto& points = std::get<CurveFresnel>(fresnel).points;
+    rig.click("Add point");
+    REQUIRE(points.size() == 3);
+    CHECK(points[2].theta == 85);
+    rig.enter_number("Angle 2", "40");
+    CHECK(points[1].theta == 40);
+    rig.enter_number("Angle 2", "86");
+    CHECK(points[1].theta < points[2].theta);
+    rig.enter_number("Colour 3 red", "0.25");
+    CHECK(points[2].colour == glm::dvec3(0.25, 1, 1));
+    for (int i = 0; i < 4; ++i) rig.click("Remove point");
+    CHECK(points.size() == 1);
+    for (int i = 0; i < 70; ++i) rig.click("Add point");
+    CHECK(points.size() <= limits::fresnel_points_max);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) CHECK(points[i].theta < points[i + 1].theta);
+    CHECK(points.back().theta <= 90);
 }
 
 TEST_CASE("material: masking") {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <glm/vec3.hpp>
 #include <tuple>
 #include <utility>
@@ -62,19 +60,9 @@ struct ConductorFresnel {
                 {"eta (0.001, 1, 100), k (100, 0, 1e-6)", {{1e-3, 1, 100}, {100, 0, 1e-6}}}};
     }
 
-    // Gulbrandsen 2014 with an edge tint of one half; keeps f0 within 0.01 to 0.99.
-    static ConductorFresnel of_normal_reflectance(glm::dvec3 f0) {
-        ConductorFresnel conductor;
-        for (int i = 0; i < 3; ++i) {
-            const double r = std::clamp(f0[i], 0.01, 0.99);
-            const double root = std::sqrt(r);
-            const double eta = 0.5 * (1 - r) / (1 + r) + 0.5 * (1 + root) / (1 - root);
-            const double k2 = (r * (eta + 1) * (eta + 1) - (eta - 1) * (eta - 1)) / (1 - r);
-            conductor.eta[i] = std::clamp(eta, limits::eta_min, limits::eta_max);
-            conductor.k[i] = std::clamp(std::sqrt(std::max(k2, 0.0)), 0.0, limits::k_max);
-        }
-        return conductor;
-    }
+    // This reflectance straight on, kept within 0.001 to 0.998, with the edge tint of Gulbrandsen (2014) that
+    // comes nearest at 82 degrees.
+    static ConductorFresnel of_reflectance(const Reflectance& wanted);
 };
 
 }  // namespace nacre

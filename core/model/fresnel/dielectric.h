@@ -44,7 +44,8 @@ struct DielectricFresnel {
     }
 
     // Of a colour's mean; 0.66 is what the largest index reflects.
-    static DielectricFresnel of_normal_reflectance(glm::dvec3 f0) {
+    static DielectricFresnel of_reflectance(const Reflectance& wanted) {
+        const glm::dvec3 f0 = wanted(1);
         const double root = std::sqrt(std::clamp((f0.x + f0.y + f0.z) / 3, 0.0, 0.66));
         const double ior = (1 + root) / (1 - root);
         return {std::clamp(std::round(ior * 1e4) / 1e4, limits::ior_min, limits::ior_max)};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <tuple>
 
 #include "core/model/fresnel/shader_fresnel.h"
@@ -19,7 +18,7 @@ struct NoFresnel {
     static constexpr const char* formula = "F = 1";
     static constexpr FresnelTables tables = FresnelTables::none;
     ShaderFresnel shader() const { return {}; }
-    static NoFresnel of_normal_reflectance(glm::dvec3) { return {}; }
+    static NoFresnel of_reflectance(const Reflectance&) { return {}; }
 };
 
 }  // namespace nacre

@@ -34,7 +34,9 @@ struct SchlickFresnel {
     static constexpr const char* formula = "F = f0 + (1 - f0) (1 - c)^5";
     static constexpr FresnelTables tables = FresnelTables::linear;
     ShaderFresnel shader() const { return {f0, {}}; }
-    static SchlickFresnel of_normal_reflectance(glm::dvec3 f0) { return {glm::clamp(f0, 0.0, 1.0)}; }
+    static SchlickFresnel of_reflectance(const Reflectance& wanted) {
+        return {glm::clamp(wanted(1), 0.0, 1.0)};
+    }
 };
 
 }  // namespace nacre

@@ -1,13 +1,27 @@
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
 
 namespace nacre {
+
+// F as a table: node i of n at the cosine (i/(n - 1))^2, straight lines in the root of the cosine between
+// nodes.
+struct FresnelCurve {
+    int nodes = 0;
+    std::vector<float> values;  // red, green and blue of each node, 0 to 1
+    double clipped = 0;         // how far the colours were outside 0 to 1, at most
+    double error = 0;           // of straight lines between the nodes, at most, as measured
+};
 
 // What NAME_fresnel(a, b, cosine) of the shader reads.
 struct ShaderFresnel {
     glm::dvec3 a{0};
     glm::dvec3 b{0};
+    std::shared_ptr<const FresnelCurve> curve =
+        nullptr;  // of a model that is a table; a is then left to describe it
 };
 
 // What the tables of R hold besides R with F = 1.
@@ -16,5 +30,13 @@ enum class FresnelTables {
     linear,  // R with Schlick's weight, in which R is linear: a is f0
     exact    // R with the design's own F, one table for each colour
 };
+
+// F of any model, each colour, at a cosine from 0 to 1.
+using Reflectance = std::function<glm::dvec3(double cosine)>;
+
+// The formula in manifests of a model that is a table; the table stands beside it.
+inline constexpr const char* curve_formula =
+    "F = fresnel_curve(sqrt(c)): straight lines between the rows of `fresnel_curve`, row i of n at i/(n-1), "
+    "each colour";
 
 }  // namespace nacre

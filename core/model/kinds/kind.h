@@ -10,6 +10,7 @@
 //
 //   fault()    the rule between its parameters that is broken
 //   singular() names and values that are extreme but lie within the bounds, for core/study/kind_extremes.h
+//   file_version the first version of design files that has it, where that is not 1
 //   extreme_claims() what is expected of a design with it, where that is more than usual (extreme_claims.h)
 #pragma once
 
@@ -121,6 +122,19 @@ std::string_view kind_name(const Variant& value) {
 template <class Variant>
 const char* kind_label(const Variant& value) {
     return KindSet<Variant>::labels[value.index()];
+}
+
+// The first version of design files that has what a variant holds.
+template <class Variant>
+int file_version(const Variant& value) {
+    return std::visit(
+        []<class T>(const T&) {
+            if constexpr (requires { T::file_version; })
+                return T::file_version;
+            else
+                return 1;
+        },
+        value);
 }
 
 // The rule that the held kind's parameters break, if it has any.

@@ -66,6 +66,8 @@ struct ChoiceParameter {
     ParameterText text;
     std::array<std::string_view, count> names;  // in the file
     std::array<const char*, count> labels;      // in the window
+    glm::dvec3 (*swatch)(std::size_t) =
+        nullptr;  // the colour of a choice, linear Rec. 709, where they have one
 };
 
 // Points (theta, value), theta in degrees and rising from point to point.
@@ -76,6 +78,39 @@ struct CurveParameter {
     Range theta_bounds;
     Range value_bounds;
     int points_max;  // 2 at least
+};
+
+// A colour, linear Rec. 709, at an angle in degrees.
+struct ColourPoint {
+    double theta;
+    glm::dvec3 colour;
+    bool operator==(const ColourPoint&) const = default;
+};
+
+// Points whose theta rises from point to point.
+template <class Kind>
+struct ColourCurveParameter {
+    std::vector<ColourPoint> Kind::*member;
+    ParameterText text;
+    Range theta_bounds;
+    Range value_bounds;
+    int points_max;  // 1 at least
+};
+
+// One of another set of kinds, a std::variant; in files its parameters stand beside its name.
+template <class Kind, class Set>
+struct KindParameter {
+    Set Kind::*member;
+    ParameterText text;
+    const char* no_other;  // why no other kind will do, for a message
+};
+
+// A list of structs that have a name and parameters() as kinds do.
+template <class Kind, class Row>
+struct ListParameter {
+    std::vector<Row> Kind::*member;
+    ParameterText text;
+    int rows_max;  // 0 at least
 };
 
 template <class Kind>

@@ -24,7 +24,9 @@ struct TintedFresnel {
     static constexpr const char* formula = "F = tint";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {tint, {}}; }
-    static TintedFresnel of_normal_reflectance(glm::dvec3 f0) { return {glm::clamp(f0, 0.0, 1.0)}; }
+    static TintedFresnel of_reflectance(const Reflectance& wanted) {
+        return {glm::clamp(wanted(1), 0.0, 1.0)};
+    }
 };
 
 }  // namespace nacre

@@ -1,0 +1,4 @@
+// A measured material, as a table: a.y nodes.
+real3 measured_fresnel(scalar3 a, scalar3 b, real cosine) READS {
+    return table_fresnel(a, cosine);
+}
