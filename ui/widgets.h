@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "core/base/choice.h"
+
 namespace nacre::ui {
 
 struct SliderSpec {
@@ -33,6 +35,7 @@ bool checkbox(const char* label, bool& value, const char* tooltip = nullptr);
 // One of a list. Each entry is named "LABEL ENTRY" for scripts; `explanations` are the entries' own tooltips.
 bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip = nullptr,
            std::span<const char* const> explanations = {});
+bool combo(const char* label, int& index, std::span<const Choice> list, const char* tooltip);
 bool text_field(const char* label, std::string& text, const char* hint = "", const char* tooltip = nullptr);
 
 // Free text of several lines over the whole width: wrapped to read, a click edits it.

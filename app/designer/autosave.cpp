@@ -204,7 +204,7 @@ void Autosave::follow(const Document& document) {
                              ? *before[i]
                              : Wanted{work.document,
                                       ++numbers_,
-                                      {*work.design, std::move(work.file), std::move(work.held)}});
+                                      {*work.design, work.file, std::move(work.held)}});
     }
     wanted_ = std::move(wanted);
     asked_ = job_.submit(wanted_);
