@@ -1,7 +1,6 @@
 #include "ui/brush_settings.h"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 
 #include "ui/focus.h"
@@ -15,19 +14,10 @@ namespace {
 constexpr const char* popup_name = "Brush settings";
 constexpr float popup_ems = 24;
 constexpr std::size_t own_brushes_max = 64;
-constexpr const char* blend_labels[] = {blends[0].label, blends[1].label, blends[2].label, blends[3].label};
-constexpr const char* blend_words[] = {blends[0].about, blends[1].about, blends[2].about, blends[3].about};
-static_assert(std::size(blends) == std::size(blend_labels));
-
-constexpr const char* follows_labels[] = {follows_kinds[0].label, follows_kinds[1].label,
-                                          follows_kinds[2].label};
-constexpr const char* follows_words[] = {follows_kinds[0].about, follows_kinds[1].about,
-                                         follows_kinds[2].about};
-static_assert(std::size(follows_kinds) == std::size(follows_labels));
 
 void follows(const char* label, const char* about, Follows& what) {
     int index = static_cast<int>(what);
-    combo(label, index, follows_labels, about, follows_words);
+    combo(label, index, follows_kinds, about);
     what = static_cast<Follows>(index);
 }
 
@@ -115,7 +105,7 @@ void brush_settings(CanvasState& state) {
             "From one touch of the brush to the next, of its radius. From 100 % on they come apart.",
             brush.spacing);
     int blend = static_cast<int>(brush.blend);
-    combo("Combine", blend, blend_labels, "How paint combines with what the layer has.", blend_words);
+    combo("Combine", blend, blends, "How paint combines with what the layer has.");
     brush.blend = static_cast<Blend>(blend);
     follows("Size follows", "What of the hand makes the brush wider and narrower.", brush.radius_follows);
     follows("Flow follows", "What of the hand makes the paint stronger and weaker.", brush.flow_follows);

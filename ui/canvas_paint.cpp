@@ -32,6 +32,9 @@ void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surfac
     // A press beside what is selected covers nothing: no layer begins for it.
     const bool is_area = std::holds_alternative<AreaTool>(info(tool).work);
     if (is_area && state.selection && !((*state.selection)(from) > 0)) return;
+    std::optional<Distribution> origin;
+    if (std::holds_alternative<GradientTool>(info(tool).work)) origin = distribution;
+    const std::size_t chosen_before = chosen;
     auto paint = LayerPaint::open(distribution, chosen, part_in_hand(state, distribution, chosen));
     if (!paint) return;
     StrokeStyle style{.tool = tool,
@@ -54,7 +57,9 @@ void begin_stroke(CanvasState& state, PaintTool tool, const BrushSurface& surfac
                            .begin = from,
                            .end = from,
                            .surface = surface.surface,
-                           .touch = {.pressure = state.pressure.value_or(1)}};
+                           .touch = {.pressure = state.pressure.value_or(1)},
+                           .origin = std::move(origin),
+                           .chosen = chosen_before};
 }
 
 void go_to(HeldBrush& held, dvec3 h, const Touch& touch = {}) {
@@ -91,7 +96,12 @@ void show_stroke(HeldBrush& held, Distribution& distribution) {
     layer = held.paint.with(std::move(raster));
 }
 
-void end_stroke(CanvasState& state) {
+void end_stroke(CanvasState& state, Distribution& distribution, std::size_t& chosen) {
+    if (state.held->origin && state.held->begin == state.held->end) {
+        distribution = *std::move(state.held->origin);
+        chosen = state.held->chosen;
+        return state.held.reset();
+    }
     state.last_stroke = StrokeEnd{state.held->paint.layer(), state.held->end};
     state.held.reset();
 }
@@ -105,7 +115,7 @@ void draw_line(CanvasState& state, PaintTool tool, const BrushSurface& surface, 
     if (!state.held) return;
     go_to(*state.held, *surface.pointed_at);
     show_stroke(*state.held, distribution);
-    end_stroke(state);
+    end_stroke(state, distribution, chosen);
 }
 
 // Whether Escape has let go of what the button still holds: nothing more comes of it.
@@ -188,7 +198,7 @@ bool paint_layers(CanvasState& state, const BrushSurface& surface, const FacetDi
     const bool released = !surface.active;
     follow(state, surface, *state.held, released ? 0 : state.steadiness);
     show_stroke(*state.held, distribution);
-    if (released) end_stroke(state);
+    if (released) end_stroke(state, distribution, chosen);
     return true;
 }
 

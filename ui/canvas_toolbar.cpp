@@ -49,12 +49,12 @@ float scale_width() { return button_width(density_scales[2].label) + ImGui::GetF
 // The middle of the row: what this tool needs.
 void tool_number(CanvasState& state, ToolNeed need, float width) {
     if (need == ToolNeed::tolerance) {
-        percent("Tolerance", "tolerance %.0f %%",
+        percent("Tolerance", "Tolerance %.0f %%",
                 "How much values may differ from the one that is pointed at and still be filled with it.",
                 width, usual_tolerance, state.tolerance);
     } else if (need == ToolNeed::form) {
         int form = static_cast<int>(state.form);
-        choice("Gradient form", form, {"Linear", "Radial"}, width,
+        choice("Gradient form", form, labels_of(gradient_forms), width,
                "Linear: across the drag. Radial: around the press.");
         state.form = static_cast<GradientForm>(form);
     } else if (need == ToolNeed::picture) {
@@ -63,7 +63,7 @@ void tool_number(CanvasState& state, ToolNeed need, float width) {
         whole_number("Rays", "%.0f rays", {3, 24, usual_rays}, width, "How many rays the star has.",
                      state.rays);
     } else {
-        percent("Hardness", "hard %.0f %%",
+        percent("Hardness", "Hard %.0f %%",
                 "How much of the brush covers in full, from its middle; from there to the edge it fades.",
                 width, Brush{}.hardness, state.brush.hardness);
     }
@@ -84,7 +84,7 @@ void dab_numbers(CanvasState& state, ToolNeed need, float width, float gap) {
          .least = brush_radius_min,
          .most = brush_radius_max,
          .reset = Brush{}.radius,
-         .format = "r %.1f\u00b0",
+         .format = "Size %.1f\u00b0",
          .logarithmic = true,
          .tooltip = "The brush's radius on the hemisphere, degrees from its middle to its edge; the keys [ "
                     "and ], or "
@@ -93,7 +93,7 @@ void dab_numbers(CanvasState& state, ToolNeed need, float width, float gap) {
     stay_on_line(width, gap);
     tool_number(state, need, width);
     stay_on_line(width, gap);
-    percent("Flow", "flow %.0f %%",
+    percent("Flow", "Flow %.0f %%",
             "How much one touch of the brush does: low flow builds up stroke by stroke.", width, Brush{}.flow,
             state.brush.flow);
 }
@@ -184,9 +184,7 @@ void take_keys(CanvasState& state) {
 void view_choices(CanvasState& state) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     int scale = static_cast<int>(state.scale);
-    std::vector<std::string> labels;
-    for (const ScaleInfo& kind : density_scales) labels.emplace_back(kind.label);
-    choice("Scale", scale, labels, scale_width(), density_scales[scale].about);
+    choice("Scale", scale, labels_of(density_scales), scale_width(), density_scales[scale].about);
     state.scale = static_cast<ScaleKind>(scale);
     HemisphereCamera& camera = state.camera;
     ImGui::SameLine(0, gap);

@@ -77,7 +77,8 @@ SearchAnswer command_search(CommandSearch& search, std::span<const SearchEntry> 
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##Search", "a command, tool, preset or setting", &search.text))
         search.row = 0;
-    note_item("Search");
+    // Up and Down stay with it: they go through what was found.
+    note_part("Search", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     const std::vector<std::size_t> found = found_entries(entries, search.text);
     SearchAnswer answer;
     const std::size_t before = search.row;

@@ -104,6 +104,21 @@ void KeyboardFocus::go_along(int by) {
     go_to(stops_[stops[static_cast<std::size_t>(stands ? (at + by + count) % count : at)]]);
 }
 
+// Up and Down leave a line of text that is being typed; a text of several lines keeps them.
+void KeyboardFocus::leave_line() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImGuiID active = context.ActiveId;
+    if (active == 0 || context.InputTextState.ID != active ||
+        (context.InputTextState.Flags & ImGuiInputTextFlags_Multiline) != 0)
+        return;
+    const int by = is_pressed({.key = key::down}, true) ? 1 : is_pressed({.key = key::up}, true) ? -1 : 0;
+    const auto here = std::ranges::find(stops_, active, &Stop::id);
+    if (by == 0 || here == stops_.end()) return;
+    ImGui::ClearActiveID();
+    go_to(*here);
+    go_along(by);
+}
+
 void KeyboardFocus::go_to_part(int by) {
     const std::vector<std::size_t> stops = reachable();
     std::vector<std::size_t> firsts;  // of each part
@@ -122,9 +137,14 @@ void KeyboardFocus::go_to_part(int by) {
 }
 
 void KeyboardFocus::act() {
-    const bool there = std::ranges::any_of(stops_, [&](const Stop& stop) { return stop.id == id_; });
-    if (!there) return;
-    if (take({.key = key::enter}) || take({.key = ' '})) activate(id_);
+    const auto here = std::ranges::find(stops_, id_, &Stop::id);
+    if (here == stops_.end()) return;
+    if (take({.key = key::enter}) || take({.key = ' '})) {
+        if (here->surface)
+            pointer_.enter(here->window, here->low, here->high);
+        else
+            activate(id_);
+    }
     menu_wanted_ = take({.key = key::menu}) || take({.key = key::f10, .shift = true});
 }
 
@@ -150,11 +170,15 @@ void KeyboardFocus::begin_frame() {
     menu_wanted_ = changing_ = false;
     steps_ = 0;
     const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsAnyMouseDown()) {
+    if (pointer_.active()) {
+        pointer_.work();
+        if (pointer_.active()) return stops_.clear();
+    } else if (ImGui::IsAnyMouseDown()) {
         id_ = 0;
         name_.clear();
     }
     if (id_ != 0) follow_popups();
+    if (io.WantTextInput) leave_line();
     if (!io.WantTextInput && !ImGui::IsAnyMouseDown()) {
         if (is_pressed({.key = key::down}, true))
             go_along(1);
@@ -194,17 +218,22 @@ void KeyboardFocus::end_frame() {
         list.AddRect({here->low.x - off, here->low.y - off}, {here->high.x + off, here->high.y + off},
                      ImGui::GetColorU32(palette::accent_bright), ImGui::GetStyle().FrameRounding, 0, off);
         list.PopClipRect();
+        pointer_.follow(here->window, here->low, here->high);
+        pointer_.draw();
     } else if (popup() == nullptr) {
         name_.clear();
     }
 }
 
-void KeyboardFocus::note(std::string_view name) {
+void KeyboardFocus::note(std::string_view name) { add(name, false); }
+void KeyboardFocus::note_surface(std::string_view name) { add(name, true); }
+
+void KeyboardFocus::add(std::string_view name, bool surface) {
     const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
     if (item.ID == 0 || (item.InFlags & ImGuiItemFlags_Disabled) != 0) return;
     ImGuiWindow* const window = window_of_item();
     if (std::ranges::find(stops_, item.ID, &Stop::id) != stops_.end()) return;
-    stops_.push_back({item.ID, window, item.Rect.Min, item.Rect.Max, std::string(name)});
+    stops_.push_back({item.ID, window, item.Rect.Min, item.Rect.Max, std::string(name), surface});
     if (item.ID != id_ || !reveals_) return;
     ImGui::ScrollToBringRectIntoView(window, item.Rect);
     reveals_ = false;

@@ -24,7 +24,6 @@ namespace nacre::ui {
 namespace {
 
 constexpr double zoom_per_notch = 1.15;
-constexpr double degrees_per_pixel = 0.4;
 constexpr int bar_steps = 48;
 constexpr double unseen = 1e-9;  // of the peak: what lies below is read as 0
 
@@ -35,14 +34,11 @@ void move_camera(CanvasState& state, const CanvasFrame& frame) {
         camera = zoomed(frame.view, frame.pixel(io.MousePos),
                         std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)));
     if (!ImGui::IsItemActive()) return;
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Right) && camera.dome) {
-        camera.yaw =
-            std::remainder(camera.yaw + static_cast<double>(io.MouseDelta.x) * degrees_per_pixel, 360.0);
-        camera.pitch =
-            std::clamp(camera.pitch + static_cast<double>(io.MouseDelta.y) * degrees_per_pixel, 0.0, 90.0);
-    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-        camera = panned(frame.view, {io.MouseDelta.x, io.MouseDelta.y});
-    }
+    const glm::dvec2 moved(io.MouseDelta.x, io.MouseDelta.y);
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right))
+        camera = dragged(frame.view, moved);
+    else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle))
+        camera = panned(frame.view, moved);
 }
 
 std::optional<dvec3> cursor_of(const CanvasFrame& frame) {
@@ -184,7 +180,7 @@ CanvasFrame begin_canvas(CanvasState& state, const CanvasSight& sight, Distribut
     ImGui::InvisibleButton("Canvas", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
-    note_part("Canvas", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    note_surface("Canvas");
     const ImVec2 below(low.x + border,
                        low.y + size.y + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y);
     const glm::dvec2 extent(size.x, size.y);

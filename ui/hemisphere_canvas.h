@@ -68,6 +68,9 @@ struct HeldBrush {
     dvec3 begin, end;  // normals of the press and there
     Surface surface;
     Touch touch = {};  // of the hand in the newest frame
+    // Before the press, for a shape that is nothing until the pointer moves.
+    std::optional<Distribution> origin = {};
+    std::size_t chosen = 0;
 };
 
 // Shift is held: a drag sizes the brush, a click draws a line from where the last stroke ended.

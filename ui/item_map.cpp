@@ -29,23 +29,32 @@ ItemMap::~ItemMap() {
 }
 
 void ItemMap::clear() {
-    rectangles_.clear();
+    places_.clear();
     tooltip_.clear();
 }
 
-void ItemMap::note(std::string_view name, ImVec2 low, ImVec2 high) {
-    rectangles_.insert_or_assign(std::string(name), ImVec4(low.x, low.y, high.x, high.y));
+void ItemMap::note(std::string_view name, ImVec2 low, ImVec2 high, ImVec2 clip_low, ImVec2 clip_high) {
+    places_.insert_or_assign(std::string(name),
+                             Place{.rectangle = {low.x, low.y, high.x, high.y},
+                                   .clip = {clip_low.x, clip_low.y, clip_high.x, clip_high.y}});
 }
 
 std::optional<ImVec4> ItemMap::rectangle(std::string_view name) const {
-    const auto found = rectangles_.find(name);
-    if (found == rectangles_.end()) return std::nullopt;
-    return found->second;
+    const auto found = places_.find(name);
+    if (found == places_.end()) return std::nullopt;
+    return found->second.rectangle;
+}
+
+bool ItemMap::is_in_sight(std::string_view name, ImVec2 pixel) const {
+    const auto found = places_.find(name);
+    if (found == places_.end()) return false;
+    const ImVec4& clip = found->second.clip;
+    return pixel.x >= clip.x && pixel.y >= clip.y && pixel.x < clip.z && pixel.y < clip.w;
 }
 
 std::vector<std::string> ItemMap::names() const {
     std::vector<std::string> result;
-    for (const auto& [name, rectangle] : rectangles_) result.push_back(name);
+    for (const auto& [name, place] : places_) result.push_back(name);
     return result;
 }
 
@@ -71,10 +80,16 @@ void note_item(std::string_view label) {
     note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
+void note_surface(std::string_view label) {
+    if (KeyboardFocus* const focus = keyboard_focus()) focus->note_surface(item_name(label));
+    note_part(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
 void note_part(std::string_view label, ImVec2 low, ImVec2 high) {
     auto* map = listener();
     if (map == nullptr) return;
-    map->note(plain_name(label), low, high);
+    const ImDrawList& list = *ImGui::GetWindowDrawList();
+    map->note(plain_name(label), low, high, list.GetClipRectMin(), list.GetClipRectMax());
 }
 
 void note_tooltip(std::string_view text) {

@@ -21,15 +21,21 @@ class ItemMap {
     ItemMap& operator=(const ItemMap&) = delete;
 
     void clear();
-    void note(std::string_view name, ImVec2 low, ImVec2 high);
+    void note(std::string_view name, ImVec2 low, ImVec2 high, ImVec2 clip_low, ImVec2 clip_high);
     void note_tooltip(std::string_view text) { tooltip_ = text; }
     // Left, top, right, bottom; pixels.
     std::optional<ImVec4> rectangle(std::string_view name) const;
+    // Whether what the widget has there is drawn: not where its panel is scrolled away from it.
+    bool is_in_sight(std::string_view name, ImVec2 pixel) const;
     std::vector<std::string> names() const;
     const std::string& tooltip() const { return tooltip_; }  // that is shown; empty without one
 
   private:
-    std::map<std::string, ImVec4, std::less<>> rectangles_;
+    struct Place {
+        ImVec4 rectangle, clip;
+    };
+
+    std::map<std::string, Place, std::less<>> places_;
     std::string tooltip_;
 };
 
@@ -44,6 +50,9 @@ std::string as_label(std::string_view text);
 // Reports the last drawn widget under its label, if somebody listens; one of as_label() under the text. The
 // keyboard's focus can come to it, and while it is worked, the edit has this name: see edit_name.h.
 void note_item(std::string_view label);
+
+// The same for what is worked by a pointer: the keyboard's focus brings one there.
+void note_surface(std::string_view label);
 
 // The same for a part of a widget that has a name of its own, or for what only the mouse works on.
 void note_part(std::string_view label, ImVec2 low, ImVec2 high);

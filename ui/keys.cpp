@@ -38,8 +38,8 @@ constexpr NamedKey named_keys[] = {
     {"Left", key::left, ImGuiKey_LeftArrow},
     {"Down", key::down, ImGuiKey_DownArrow},
     {"Up", key::up, ImGuiKey_UpArrow},
-    {"PageUp", 266, ImGuiKey_PageUp},
-    {"PageDown", 267, ImGuiKey_PageDown},
+    {"PageUp", key::page_up, ImGuiKey_PageUp},
+    {"PageDown", key::page_down, ImGuiKey_PageDown},
     {"Home", 268, ImGuiKey_Home},
     {"End", 269, ImGuiKey_End},
     {"Space", ' ', ImGuiKey_Space},
@@ -90,6 +90,10 @@ void tell_modifiers(ImGuiIO& io, bool ctrl, bool shift, bool alt) {
     io.AddKeyEvent(ImGuiMod_Alt, alt);
 }
 
+void tell_pointer(ImGuiIO& io, const ImVec2& pixel) { io.AddMousePosEvent(pixel.x, pixel.y); }
+void tell_left_button(ImGuiIO& io, bool down) { io.AddMouseButtonEvent(ImGuiMouseButton_Left, down); }
+void tell_wheel(ImGuiIO& io, float notches) { io.AddMouseWheelEvent(0, notches); }
+
 void take_input_at_once(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }
 
 bool input_waits() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
@@ -130,6 +134,10 @@ void tell_modifiers(ImGuiIO& io, bool ctrl, bool shift, bool alt) {
     io.KeyShift = shift;
     io.KeyAlt = alt;
 }
+
+void tell_pointer(ImGuiIO& io, const ImVec2& pixel) { io.MousePos = pixel; }
+void tell_left_button(ImGuiIO& io, bool down) { io.MouseDown[ImGuiMouseButton_Left] = down; }
+void tell_wheel(ImGuiIO& io, float notches) { io.MouseWheel += notches; }
 
 void take_input_at_once(ImGuiIO&) {}
 

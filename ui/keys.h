@@ -6,12 +6,13 @@
 #include <string_view>
 
 struct ImGuiIO;
+struct ImVec2;
 
 namespace nacre::ui {
 
 namespace key {
 inline constexpr int escape = 256, enter = 257, tab = 258, remove = 261, right = 262, left = 263, down = 264,
-                     up = 265, f6 = 295, f10 = 299, menu = 348;
+                     up = 265, page_up = 266, page_down = 267, f6 = 295, f10 = 299, menu = 348;
 }
 
 // The number of a key that has a name of more than one letter: "Escape", "F12".
@@ -23,6 +24,9 @@ void map_keys(ImGuiIO& io);
 // Input of the next frame. A key that no shortcut can have is left out.
 void tell_key(ImGuiIO& io, int number, bool down);
 void tell_modifiers(ImGuiIO& io, bool ctrl, bool shift, bool alt);
+void tell_pointer(ImGuiIO& io, const ImVec2& pixel);
+void tell_left_button(ImGuiIO& io, bool down);
+void tell_wheel(ImGuiIO& io, float notches);
 
 // All that is told goes into the next frame, for hosts that make a frame for each event; else newer versions
 // spread what comes fast over several.

@@ -10,14 +10,23 @@
 namespace nacre::ui {
 namespace {
 
-constexpr float name_lines = 2;
+float padding() { return 0.3f * ImGui::GetTextLineHeight(); }
+
+// The largest height of the names below a row of tiles.
+float names_height(std::span<const PresetTile> row, float width) {
+    float height = 0;
+    for (const PresetTile& shown : row)
+        height = std::max(height,
+                          ImGui::CalcTextSize(shown.name.c_str(), nullptr, false, width - 2 * padding()).y);
+    return height;
+}
 
 // A picture with its name below. Returns whether it was clicked.
-bool tile(const PresetTile& shown, const char* kind, float width, bool chosen) {
-    const float line = ImGui::GetTextLineHeight(), pad = line * 0.3f;
+bool tile(const PresetTile& shown, const char* kind, float width, float name_height, bool chosen) {
+    const float pad = padding();
     const float picture = width - 2 * pad;
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const bool clicked = ImGui::InvisibleButton("tile", ImVec2(width, picture + name_lines * line + 3 * pad));
+    const bool clicked = ImGui::InvisibleButton("tile", ImVec2(width, picture + name_height + 3 * pad));
     note_item(std::string(kind) + " " + as_label(shown.name));
     tooltip_for_item(("Click: a new design as \u201c" + shown.name +
                       "\u201d; Undo brings back the one before. Right click: its layers for this design.")
@@ -52,13 +61,18 @@ PresetChoice presets_panel(std::span<const PresetTile> tiles, std::optional<std:
     ImGui::PushID(kind);
     if (tiles.empty()) dim_text("No presets were found.");
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const int columns = std::max(1, static_cast<int>((room + gap) / (tile_ems * ImGui::GetFontSize() + gap)));
+    const std::size_t columns =
+        static_cast<std::size_t>(std::max(1.0f, (room + gap) / (tile_ems * ImGui::GetFontSize() + gap)));
     const float width = (room + gap) / static_cast<float>(columns) - gap;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+    float name_height = 0;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
+        if (i % columns != 0)
+            ImGui::SameLine();
+        else
+            name_height = names_height(tiles.subspan(i, std::min(columns, tiles.size() - i)), width);
         ImGui::PushID(static_cast<int>(i));
-        if (tile(tiles[i], kind, width, current == i)) choice.begun = i;
+        if (tile(tiles[i], kind, width, name_height, current == i)) choice.begun = i;
         if (ImGui::IsItemHovered() || has_focus()) choice.hovered = i;
         if (begin_second_menu("of preset")) {
             if (ImGui::Selectable("Add as layer")) choice.added = i;

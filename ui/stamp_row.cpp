@@ -95,7 +95,7 @@ void stamp_row(CanvasState& state, float width, float gap) {
                   .least = -360,
                   .most = 360,
                   .reset = 0,
-                  .format = "turn %.0f\u00b0",
+                  .format = "Turn %.0f\u00b0",
                   .logarithmic = false,
                   .tooltip = "Turns the stamp, counterclockwise."},
                  "Stamp angle", state.pose.angle, false);

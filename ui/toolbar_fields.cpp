@@ -65,11 +65,16 @@ void choice(const char* name, int& index, const std::vector<std::string>& names,
     ImGui::EndCombo();
 }
 
+std::vector<std::string> labels_of(std::span<const Choice> list) {
+    std::vector<std::string> labels;
+    for (const Choice& entry : list) labels.emplace_back(entry.label);
+    return labels;
+}
+
 void combine_choice(Brush& brush, const char* name, float width) {
     int blend = static_cast<int>(brush.blend);
-    std::vector<std::string> labels;
-    for (const BlendInfo& info : blends) labels.emplace_back(info.label);
-    choice(name, blend, labels, width, "How it combines with what the layer has there: as paint does.");
+    choice(name, blend, labels_of(blends), width,
+           "How it combines with what the layer has there: as paint does.");
     brush.blend = static_cast<Blend>(blend);
 }
 

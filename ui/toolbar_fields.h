@@ -1,6 +1,7 @@
 // Numbers and lists above the canvas: they have no label, what they show says what they are.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ void choice(const char* name, int& index, const std::vector<std::string>& names,
             const char* text);
 
 // How what the brush and its like do combines with what is there.
+std::vector<std::string> labels_of(std::span<const Choice> list);
+
 void combine_choice(Brush& brush, const char* name, float width);
 
 }  // namespace nacre::ui

@@ -159,6 +159,12 @@ bool combo(const char* label, int& index, std::span<const char* const> names, co
     return index != before;
 }
 
+bool combo(const char* label, int& index, std::span<const Choice> list, const char* tooltip_text) {
+    std::vector<const char*> names, explanations;
+    for (const Choice& entry : list) names.push_back(entry.label), explanations.push_back(entry.about);
+    return combo(label, index, names, tooltip_text, explanations);
+}
+
 bool checkbox(const char* label, bool& value, const char* tooltip_text) {
     row_label(label, tooltip_text);
     const bool changed = ImGui::Checkbox(hidden(label).c_str(), &value);

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "core/base/choice.h"
+
 namespace nacre::ui {
 
 struct SliderSpec {
@@ -34,6 +36,7 @@ bool checkbox(const char* label, bool& value, const char* tooltip = nullptr);
 // `swatch` tells the colour of an entry where they have one.
 bool combo(const char* label, int& index, std::span<const char* const> names, const char* tooltip = nullptr,
            std::span<const char* const> explanations = {}, glm::dvec3 (*swatch)(std::size_t) = nullptr);
+bool combo(const char* label, int& index, std::span<const Choice> list, const char* tooltip);
 // A square patch of a colour, linear Rec. 709, as a display shows it, `side` pixels wide; the next item
 // stands beside it.
 void colour_patch(glm::dvec3 linear, float side);

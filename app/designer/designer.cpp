@@ -158,10 +158,19 @@ void name_edit(Designer& designer) {
     if (name) designer.document.doing = *std::move(name);
 }
 
+// What was marked on another design means nothing on this one.
+void follow_document(Designer& designer) {
+    if (designer.document.identity() == designer.worked_on) return;
+    designer.worked_on = designer.document.identity();
+    designer.canvas.state.selection.reset();
+    designer.canvas.state.last_stroke.reset();
+}
+
 void draw_all(Designer& designer) {
     Document& document = designer.document;
     designer.focus.begin_frame();
     prepare_dialogs(designer);
+    follow_document(designer);
     ui::close_popup_by_escape();
     end_click(designer);
     if (!talking(designer))

@@ -98,8 +98,9 @@ struct Designer {
     Frame frame;                                          // that is on the screen
     double changed_at = 0;  // when p last changed, seconds on Dear ImGui's clock
     std::optional<ui::CanvasTool> tool_before_erase;
-    Design named;  // as the last frame left it, whose changes have a name
-    AtRest rest;   // what Escape brings back while something is dragged
+    std::pair<std::uint64_t, int> worked_on;  // see Document::identity()
+    Design named;                             // as the last frame left it, whose changes have a name
+    AtRest rest;                              // what Escape brings back while something is dragged
 };
 
 // Draws one frame and acts on its input. Never waits for the worker.

@@ -1,5 +1,6 @@
 #include "app/designer/document.h"
 
+#include <atomic>
 #include <cctype>
 #include <utility>
 
@@ -8,6 +9,11 @@
 #include "core/design/picture_files.h"
 
 namespace nacre {
+namespace {
+
+std::atomic<std::uint64_t> documents = 0;  // so far
+
+}  // namespace
 
 Design starter_design() {
     Design design;
@@ -21,7 +27,8 @@ Document::Document(Design start, std::filesystem::path from, const std::string& 
                      : from.empty() ? "New design"
                                     : "Open " + from.filename().string()),
       design(std::move(start)),
-      file(std::move(from)) {
+      file(std::move(from)),
+      serial_(++documents) {
     history.mark_saved();
 }
 

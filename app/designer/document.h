@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/system/file_content.h"
@@ -28,6 +29,9 @@ struct Document {
     // `what`: how the history calls it; without one, by the file.
     explicit Document(Design start = starter_design(), std::filesystem::path from = {},
                       const std::string& what = {});
+
+    // Differs from that of every other document, however it came: opened, begun, or by undo.
+    std::pair<std::uint64_t, int> identity() const { return {serial_, history.document()}; }
 
     // From now on it differs from what is on the disk, whatever it is.
     void mark_unsaved() { history.mark_unsaved(); }
@@ -76,6 +80,7 @@ struct Document {
     };
     void follow_history(int before);
 
+    std::uint64_t serial_;
     std::map<int, Origin> origins_;  // of the documents that history holds, but for the current one
 };
 

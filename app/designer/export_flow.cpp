@@ -137,7 +137,7 @@ void ExportFlow::begin(const Document& document, PreviewPane& preview, const Sce
 void ExportFlow::start_work(const Document& document, PreviewPane& preview, const Scene& scene) {
     settings_->export_folder = output_.parent_path();
     written_ = std::make_shared<std::vector<fs::path>>();
-    const std::string done = "Exported " + output_.filename().string();
+    std::string done = "Exported " + output_.filename().string();
     if (is_picture(dialog_.chosen)) {
         const glm::ivec2 size(std::lround(dialog_.width), std::lround(dialog_.height));
         const bool linear = picture_format(dialog_.chosen).linear;

@@ -15,10 +15,9 @@ constexpr double steadiness_max = 400;  // pixels
 constexpr double zoom_lowest = 0.25, zoom_highest = 8;
 
 // The place of a name in a list of things that have names.
-template <class Info>
-std::size_t choice_of(ObjectReader& object, std::string_view key, std::span<const Info> list) {
+std::size_t choice_of(ObjectReader& object, std::string_view key, std::span<const Choice> list) {
     std::vector<std::string_view> names;
-    for (const Info& info : list) names.emplace_back(info.name);
+    for (const Choice& info : list) names.emplace_back(info.name);
     return object.choice(key, names, 0);
 }
 
@@ -30,10 +29,9 @@ Brush read_brush(ObjectReader& object) {
     object.number("opacity", brush.opacity, part);
     object.number("spacing", brush.spacing, {spacing_min, spacing_max});
     object.number("value", brush.value, part);
-    brush.blend = static_cast<Blend>(choice_of<BlendInfo>(object, "combine", blends));
-    brush.radius_follows =
-        static_cast<Follows>(choice_of<FollowsInfo>(object, "radius_follows", follows_kinds));
-    brush.flow_follows = static_cast<Follows>(choice_of<FollowsInfo>(object, "flow_follows", follows_kinds));
+    brush.blend = static_cast<Blend>(choice_of(object, "combine", blends));
+    brush.radius_follows = static_cast<Follows>(choice_of(object, "radius_follows", follows_kinds));
+    brush.flow_follows = static_cast<Follows>(choice_of(object, "flow_follows", follows_kinds));
     return brush;
 }
 
@@ -70,7 +68,9 @@ Habits read_habits(const JsonValue& json) {
             habits.own_brushes.push_back({name, read_brush(brush)});
             brush.finish("a brush");
         }
-    habits.scale = static_cast<ScaleKind>(choice_of<ScaleInfo>(object, "scale", density_scales));
+    object.number("tolerance", habits.tolerance, part);
+    habits.form = static_cast<GradientForm>(choice_of(object, "gradient", gradient_forms));
+    habits.scale = static_cast<ScaleKind>(choice_of(object, "scale", density_scales));
     object.flag("highlight", habits.highlight);
     object.flag("expert", habits.expert);
     object.flag("has_dragged", habits.has_dragged);
@@ -89,10 +89,12 @@ std::string habits_text(const Habits& habits) {
         brushes += fmt::format("{}{{\"name\": {}, {}}}", brushes.empty() ? "" : ", ", quoted(named.name),
                                brush_text(named.brush));
     return fmt::format(
-        "{{\"tool\": {}, \"brush\": {{{}}}, \"steadiness\": {}, \"brushes\": [{}], \"scale\": \"{}\", "
+        "{{\"tool\": {}, \"brush\": {{{}}}, \"steadiness\": {}, \"brushes\": [{}], \"tolerance\": {}, "
+        "\"gradient\": \"{}\", \"scale\": \"{}\", "
         "\"highlight\": {}, \"expert\": {}, \"has_dragged\": {}, \"has_painted\": {}, \"object\": {}, "
         "\"yaw\": {}, \"pitch\": {}, \"zoom\": {}}}",
-        quoted(habits.tool), brush_text(habits.brush), habits.steadiness, brushes,
+        quoted(habits.tool), brush_text(habits.brush), habits.steadiness, brushes, habits.tolerance,
+        gradient_forms[static_cast<std::size_t>(habits.form)].name,
         density_scales[static_cast<std::size_t>(habits.scale)].name, habits.highlight, habits.expert,
         habits.has_dragged, habits.has_painted, quoted(habits.object), habits.yaw, habits.pitch, habits.zoom);
 }

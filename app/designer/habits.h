@@ -8,6 +8,7 @@
 #include "core/base/json_reader.h"
 #include "core/paint/brush_presets.h"
 #include "core/paint/density_picture.h"
+#include "core/paint/stroke.h"
 
 namespace nacre {
 
@@ -16,6 +17,8 @@ struct Habits {
     Brush brush;
     double steadiness = 0;
     std::vector<NamedBrush> own_brushes;
+    double tolerance = usual_tolerance;        // of fill
+    GradientForm form = GradientForm::linear;  // of gradient
     ScaleKind scale = ScaleKind::perceptual;
     bool highlight = true;
     bool expert = true;

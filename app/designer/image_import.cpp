@@ -61,12 +61,12 @@ void ImageImport::ask(const fs::path& folder, const std::optional<DialogProgram>
                  dialogs);
 }
 
-void ImageImport::offer(fs::path file) {
+void ImageImport::offer(const fs::path& file) {
     give_up();
     textures_ = {};
     std::error_code error;
     const fs::path absolute = fs::absolute(file, error).lexically_normal();
-    file_ = error ? std::move(file) : absolute;
+    file_ = error ? file : absolute;
     last_folder_ = file_->parent_path();
     asks_ = true;
 }

@@ -29,7 +29,7 @@ class ImageImport {
     void ask(const std::filesystem::path& folder, const std::optional<DialogProgram>& dialogs);
 
     // A file that is to be imported; the newest counts.
-    void offer(std::filesystem::path file);
+    void offer(const std::filesystem::path& file);
 
     // Asks the worker for what is missing, and takes what it has made; once a frame. A modulation is for the
     // chosen layer, and the cards are drawn as the canvas is.

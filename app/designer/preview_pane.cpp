@@ -56,7 +56,7 @@ std::optional<ui::BrushSurface> PreviewPane::point(const Scene& scene) {
                                          ImGuiButtonFlags_MouseButtonRight |
                                          ImGuiButtonFlags_MouseButtonMiddle;
     ImGui::InvisibleButton("Preview", size_, buttons);
-    ui::note_part("Preview", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    ui::note_surface("Preview");
     const ImGuiIO& io = ImGui::GetIO();
     const glm::dvec2 pixel(io.MousePos.x - corner_.x, io.MousePos.y - corner_.y);
     // While the camera turns, what lies under the pointer is not read back in each frame.

@@ -69,7 +69,7 @@ std::optional<std::string> json_path(const fs::path& path) {
 }
 
 fs::path read_path(const JsonValue& json) {
-    const std::string text = json.text();
+    std::string text = json.text();
     if (text.find('\0') != text.npos) json.fail("must be a path, which has no NUL");
     return text;
 }

@@ -23,6 +23,8 @@ Habits habits_of(const Designer& designer) {
                   .brush = canvas.brush,
                   .steadiness = canvas.steadiness,
                   .own_brushes = canvas.own_brushes,
+                  .tolerance = canvas.tolerance,
+                  .form = canvas.form,
                   .scale = canvas.scale,
                   .highlight = canvas.camera.highlight,
                   .expert = designer.layers.expert,
@@ -42,6 +44,8 @@ void take_up(Designer& designer, const Habits& habits) {
     canvas.brush = habits.brush;
     canvas.steadiness = habits.steadiness;
     canvas.own_brushes = habits.own_brushes;
+    canvas.tolerance = habits.tolerance;
+    canvas.form = habits.form;
     canvas.scale = habits.scale;
     canvas.camera.highlight = habits.highlight;
     designer.layers.expert = habits.expert;

@@ -66,6 +66,7 @@ void run(const Arguments& arguments) {
             keys.tell();
             for (const std::string& file : keys.take_dropped()) nacre::take_file(designer, file);
             designer.canvas.state.pressure = pen.pressure();
+            designer.focus.tell_pointer(ImGui::GetIO());
             ImGui::NewFrame();
             nacre::draw_frame(designer);
             if (nacre::ui::input_waits()) nacre::Window::notice();

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "app/gl/gl.h"
 #include "core/base/error.h"
@@ -34,6 +35,7 @@ HeadlessDesigner::HeadlessDesigner(const StageOptions& options)
 void HeadlessDesigner::frame(bool rasterise) {
     items_.clear();
     session_.new_frame();
+    designer_->focus.tell_pointer(ImGui::GetIO());
     ImGui::NewFrame();
     draw_frame(*designer_);
     ImGui::Render();
@@ -73,19 +75,21 @@ void HeadlessDesigner::press(int button, bool down) {
 glm::vec2 HeadlessDesigner::pixel_of(const Place& place, const std::string& file, int line) {
     if (place.widget.empty()) return place.at;
     frame(false);  // what the last event changed has moved the widgets
+    const auto refuse = [&](const char* why) {
+        throw UserError(file, "line " + std::to_string(line), why, place.widget);
+    };
     const auto box = items_.rectangle(place.widget);
-    if (!box)
-        throw UserError(file, "line " + std::to_string(line), "no widget of this name is on the screen",
-                        place.widget);
+    if (!box) refuse("no widget of this name is on the screen");
+    const glm::vec2 low(box->x, box->y), high(box->z, box->w);
     if (place.polar) {
-        if (place.widget != "Canvas")
-            throw UserError(file, "line " + std::to_string(line), "only the canvas shows normals",
-                            place.widget);
-        const HemisphereView view(designer_->canvas.state.camera, {box->z - box->x, box->w - box->y});
-        const glm::vec2 at(view.pixel(polar_direction(place.at.x, place.at.y)));
-        return {box->x + at.x, box->y + at.y};
+        if (place.widget != "Canvas") refuse("only the canvas shows normals");
+        const HemisphereView view(designer_->canvas.state.camera, high - low);
+        return low + glm::vec2(view.pixel(polar_direction(place.at.x, place.at.y)));
     }
-    return {box->x + place.at.x * (box->z - box->x), box->y + place.at.y * (box->w - box->y)};
+    const glm::vec2 inside = low + glm::clamp(place.at, 0.01f, 0.99f) * (high - low);
+    if (!items_.is_in_sight(place.widget, {inside.x, inside.y}))
+        refuse("the widget is out of sight: its panel must be scrolled to it first");
+    return low + place.at * (high - low);
 }
 
 void HeadlessDesigner::play(const Event& event, const std::string& file) {

@@ -166,7 +166,7 @@ class Painted final : public FacetLobe {
 
     // Along one axis. A tent's outer half is flat where it is the outermost.
     double place_under_tent(int index, Random& random) const {
-        const double off = uniform_random(random) - uniform_random(random);
+        const double ahead = uniform_random(random), back = uniform_random(random), off = ahead - back;
         const bool flat = (index == 0 && off < 0) || (index == cells_ - 1 && off > 0);
         return middle_of(index) +
                (flat ? std::copysign(0.5 * uniform_random(random), off) : off) * tents_->reach();

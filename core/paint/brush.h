@@ -1,6 +1,7 @@
 // The brush: round on the hemisphere, so that it is an ellipse on the disk toward the rim.
 #pragma once
 
+#include "core/base/choice.h"
 #include "core/model/lobe.h"
 
 namespace nacre {
@@ -8,14 +9,8 @@ namespace nacre {
 // How paint combines with what is there.
 enum class Blend { replace, add, multiply, maximum };
 
-struct BlendInfo {
-    const char* name;   // in the settings
-    const char* label;  // in the list
-    const char* about;
-};
-
 // In the order of the enumeration.
-inline constexpr BlendInfo blends[] = {
+inline constexpr Choice blends[] = {
     {"replace", "Replace", "Paint goes toward the brush's value, up or down."},
     {"add", "Add", "Paint is added to what is there, up to full."},
     {"multiply", "Multiply", "What is there is multiplied by the brush's value: it darkens."},
@@ -24,14 +19,8 @@ inline constexpr BlendInfo blends[] = {
 // What of the hand the size or the flow of a brush follows.
 enum class Follows { nothing, pressure, speed };
 
-struct FollowsInfo {
-    const char* name;   // in the settings
-    const char* label;  // in the list
-    const char* about;
-};
-
 // In the order of the enumeration.
-inline constexpr FollowsInfo follows_kinds[] = {
+inline constexpr Choice follows_kinds[] = {
     {"nothing", "Nothing", "The same all along the stroke."},
     {"pressure", "Pen pressure", "More where the pen presses harder; a mouse presses in full."},
     {"speed", "Speed", "More where the hand is slow, as ink does."}};

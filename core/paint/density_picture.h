@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/choice.h"
 #include "core/image/raster.h"
 #include "core/model/facet_distribution.h"
 #include "core/paint/hemisphere_view.h"
@@ -16,14 +17,8 @@ namespace nacre {
 
 enum class ScaleKind { perceptual, linear, logarithmic, material };
 
-struct ScaleInfo {
-    const char* name;   // in the settings
-    const char* label;  // in the list
-    const char* about;
-};
-
 // In the order of the enumeration.
-inline constexpr ScaleInfo density_scales[] = {
+inline constexpr Choice density_scales[] = {
     {"perceptual", "As seen",
      "Brightness by lightness (CIE 1976 L*): halfway up looks half as bright, so that a core and the "
      "glow around it both show."},

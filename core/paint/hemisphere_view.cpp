@@ -9,6 +9,8 @@
 namespace nacre {
 namespace {
 
+constexpr double degrees_per_pixel = 0.4;  // by which a drag turns the dome
+
 constexpr double margin = 1.17;  // of the shown radius: room for the angles' numbers around it
 constexpr double radians = std::numbers::pi / 180;
 constexpr double nadir = std::numbers::sqrt2;  // radius of the whole sphere's disk
@@ -129,6 +131,14 @@ HemisphereCamera panned(const HemisphereView& view, glm::dvec2 pixels) {
     HemisphereCamera camera = view.camera();
     camera.centre += glm::dvec2(-pixels.x, pixels.y) / view.pixels_per_unit();
     keep_in_sight(camera);
+    return camera;
+}
+
+HemisphereCamera dragged(const HemisphereView& view, glm::dvec2 pixels) {
+    HemisphereCamera camera = view.camera();
+    if (!camera.dome) return panned(view, pixels);
+    camera.yaw = std::remainder(camera.yaw + pixels.x * degrees_per_pixel, 360.0);
+    camera.pitch = std::clamp(camera.pitch + pixels.y * degrees_per_pixel, 0.0, 90.0);
     return camera;
 }
 

@@ -72,7 +72,10 @@ class HemisphereView {
 // The camera after a turn of the wheel that keeps what lies under `pixel` there. At zoom 1 all is shown.
 HemisphereCamera zoomed(const HemisphereView& view, glm::dvec2 pixel, double factor);
 
-// The camera after a drag, in pixels.
+// The camera after a drag, in pixels, that moves the picture.
 HemisphereCamera panned(const HemisphereView& view, glm::dvec2 pixels);
+
+// The same, but for a dome, which is turned.
+HemisphereCamera dragged(const HemisphereView& view, glm::dvec2 pixels);
 
 }  // namespace nacre

@@ -43,7 +43,7 @@ double paint_unit(const Raster& picture) {
 std::shared_ptr<const Raster> paintable(const PaintedLobe& lobe) { return paintable(lobe.image.raster); }
 
 std::shared_ptr<const Raster> paintable(const std::shared_ptr<const Raster>& picture) {
-    const std::shared_ptr<const Raster> given = in_paint_unit(picture);
+    std::shared_ptr<const Raster> given = in_paint_unit(picture);
     if (given->width >= painted_side) return given;
     auto finer = std::make_shared<Raster>();
     finer->width = finer->height = painted_side;

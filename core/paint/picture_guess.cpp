@@ -34,7 +34,7 @@ constexpr double dark_corner = 0.02, lit_disk = 0.1;  // means of a picture of t
 struct Counts {
     std::size_t pixels = 0, clear = 0, grey = 0, ends = 0, in_disk = 0;
     double corners = 0, disk = 0;
-    std::vector<std::size_t> colours = std::vector<std::size_t>(steps * steps * steps);
+    std::vector<std::size_t> colours = std::vector<std::size_t>(std::size_t{steps} * steps * steps);
 
     std::size_t opaque() const { return pixels - clear; }
 

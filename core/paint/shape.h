@@ -4,12 +4,17 @@
 #include <memory>
 #include <variant>
 
+#include "core/base/choice.h"
 #include "core/image/raster.h"
 #include "core/paint/brush.h"
 
 namespace nacre {
 
 enum class GradientForm { linear, radial };
+
+// In the order of the enumeration.
+inline constexpr Choice gradient_forms[] = {{"linear", "Linear", "Across the drag."},
+                                            {"radial", "Radial", "Around the press."}};
 
 // A shape as it is drawn out; angles in radians.
 struct ShapeSize {

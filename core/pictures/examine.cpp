@@ -84,7 +84,8 @@ bool is_svg(const FileBytes& file) {
         const bool declares =
             text.compare(at, 9, "<!DOCTYPE") == 0 && text.find('[', at) < text.find('>', at);
         const std::string_view end = comment ? "-->" : declares ? "]>" : ">";
-        if ((at = text.find(end, at)) == text.npos) return false;
+        at = text.find(end, at);
+        if (at == text.npos) return false;
         at += end.size();
     }
     if (at == text.npos || text[at] != '<') return false;

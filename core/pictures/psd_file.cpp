@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint64_t header_size = 26, palette_size = 3 * 256;
+constexpr std::uint64_t header_size = 26, palette_size = std::uint64_t{3} * 256;
 
 void read_header(const std::string& header, PsdFile& found) {
     const std::uint64_t version = big_endian(header, 4, 2), mode = big_endian(header, 24, 2);

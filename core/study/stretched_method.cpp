@@ -7,7 +7,7 @@
 namespace nacre {
 namespace {
 
-StoredTable stored(std::shared_ptr<const Tables> tables) {
+StoredTable stored(const std::shared_ptr<const Tables>& tables) {
     return {
         .area =
             [tables](dvec3 k) { return tables->shading.projected_area(k, tables->shading.table_spot(k)); },

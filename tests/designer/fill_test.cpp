@@ -100,3 +100,14 @@ TEST_CASE("gradient: from the press to the pointer, linear and radial, one step 
     r.play("key Ctrl+Z");
     CHECK(!r.document().history.can_undo());
 }
+
+TEST_CASE("gradient: a click in place changes nothing") {
+    CanvasRig r;
+    const Design before = r.document().design;
+    r.play("click \"Gradient\"\nclick \"Canvas\":@20,0\nframes 3");
+    CHECK(r.document().design == before);
+    CHECK(!r.document().history.can_undo());
+    CHECK(r.designer().layers.chosen == 0);
+    r.play("drag \"Canvas\":@20,0 \"Canvas\":@50,0\nframes 30");
+    CHECK(r.layers().size() == 2);
+}

@@ -11,8 +11,7 @@ using namespace nacre;
 
 namespace {
 
-// Painting, the light on the object, borders.
-const std::set<std::string> for_the_mouse{"Canvas", "Preview", "Panel border", "Canvas border"};
+const std::set<std::string> for_the_mouse{"Panel border", "Canvas border"};
 
 // Words, what is disabled now, and what holds fields that have names of their own.
 const std::set<std::string> not_for_clicks{"Quality",      "Validity", "Baked tables", "Left out",
@@ -170,4 +169,102 @@ TEST_CASE("focus: no key of it does anything to a text that is typed") {
     r.press("Enter");
     r.play("frames 2");
     CHECK(r.layers()[0].name == "silxk");
+}
+
+TEST_CASE("focus: a stamp, a selection, a handle and the light by the keyboard's pointer") {
+    Keys r;
+    r.press("T");
+    r.find("Canvas");
+    r.press("Enter");
+    r.press("Enter");
+    r.play("frames 3");
+    REQUIRE(r.layers().size() == 2);
+    CHECK(std::holds_alternative<PaintedLobe>(r.layers()[1].lobe));
+    r.press("Ctrl+Z");
+    CHECK(r.layers().size() == 1);
+
+    r.press("W");
+    r.press("Space");
+    r.press("Right", 6);
+    r.press("Down", 4);
+    CHECK(r.canvas().selecting);
+    r.press("Space");
+    r.play("frames 2");
+    REQUIRE(r.canvas().selection);
+    const double zoom = r.canvas().camera.zoom;
+    r.press("PageUp");
+    r.play("frames 2");
+    CHECK(r.canvas().camera.zoom > zoom);
+
+    // Escape takes back what is held, and then ends.
+    const auto kept = r.canvas().selection;
+    r.press("Space");
+    r.press("Left", 5);
+    r.press("Escape");
+    CHECK(r.canvas().selection == kept);
+    r.press("Escape");
+    CHECK(r.at() == "Canvas");
+    r.press("Down");
+    CHECK(r.at() != "Canvas");
+
+    r.press("V");
+    r.find("Preview");
+    const auto light = r.designer().scene.light;
+    r.press("Enter");
+    r.press("Right", 3);
+    r.press("Space");
+    r.press("Up", 3);
+    r.press("Space");
+    r.play("frames 2");
+    CHECK(r.designer().scene.light != light);
+    // The mouse takes over where it moves.
+    r.play("move 400 300\nframes 2");
+    const auto left = r.designer().scene.light;
+    r.press("Up", 3);
+    CHECK(r.designer().scene.light == left);
+}
+
+TEST_CASE("focus: each widget of a dialog is come to, and Escape closes it") {
+    for (const char* keys : {"Ctrl+E", "Ctrl+O", "Ctrl+I", "Ctrl+Shift+S", "F1"}) {
+        CAPTURE(keys);
+        Keys r;
+        const std::set<std::string> behind = r.on_screen();
+        r.press(keys);
+        r.play("frames 4");
+        std::set<std::string> inside;
+        for (const std::string& name : r.on_screen())
+            if (!behind.contains(name)) inside.insert(name);
+        REQUIRE(!inside.empty());
+        r.press("Down");
+        const std::set<std::string> reached = r.all_along();
+        for (const std::string& name : inside) {
+            CAPTURE(name);
+            CHECK((reached.contains(name) || name == "Accept"));  // disabled while there is no file's name
+        }
+        r.press("Escape", 2);
+        r.play("frames 3");
+        CHECK(r.on_screen() == behind);
+    }
+}
+
+TEST_CASE("focus: a question is answered by Enter, or by the button that has the focus") {
+    for (const bool walked : {false, true}) {
+        Keys r;
+        r.press("Ctrl+D");
+        r.play("frames 3");
+        REQUIRE(r.layers().size() == 2);
+        r.press("Ctrl+N");
+        r.play("frames 4");
+        if (walked) {
+            REQUIRE(r.go_to("Discard"));
+            r.press("Enter");
+            r.play("frames 4");
+            CHECK(r.layers().size() == 1);
+        } else {
+            r.press("Enter");  // Save: where to is asked
+            r.play("frames 4");
+            CHECK(r.layers().size() == 2);
+            CHECK(talking(r.designer()));
+        }
+    }
 }

@@ -143,3 +143,11 @@ TEST_CASE("selection: its rim is one texel wide; what is selected is filled and 
     r.play("key 1\nframes 2\nkey Delete\nframes 2");
     CHECK(r.document().design == blank);
 }
+
+TEST_CASE("selection: it goes with the design that it was made on") {
+    CanvasRig r;
+    r.play("key Ctrl+A\nframes 2");
+    REQUIRE(r.canvas().selection);
+    r.play("key Ctrl+N\nframes 4");
+    CHECK(!r.canvas().selection);
+}

@@ -41,6 +41,8 @@ TEST_CASE("settings: what is set is there again") {
         .brush = {.radius = 3.25, .opacity = 0.1, .blend = Blend::multiply},
         .steadiness = 12.5,
         .own_brushes = {{"my \"own\"", {.value = 0.3}}, {"another", {.spacing = 1.5, .blend = Blend::add}}},
+        .tolerance = 0.25,
+        .form = GradientForm::radial,
         .scale = ScaleKind::logarithmic,
         .highlight = false,
         .object = "torus",
