@@ -200,10 +200,9 @@ void Autosave::follow(const Document& document) {
     std::vector<Wanted> wanted;
     for (std::size_t i = 0; i < unsaved.size(); ++i) {
         Document::Unsaved& work = unsaved[i];
-        wanted.push_back(
-            before[i] != nullptr
-                ? *before[i]
-                : Wanted{work.document, ++numbers_, {*work.design, work.file, std::move(work.held)}});
+        wanted.push_back(before[i] != nullptr
+                             ? *before[i]
+                             : Wanted{work.document, ++numbers_, {*work.design, work.file, work.held}});
     }
     wanted_ = std::move(wanted);
     asked_ = job_.submit(wanted_);
