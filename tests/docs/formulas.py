@@ -73,7 +73,7 @@ if sys.argv[4:]:
 for name, layers, masking, fresnel, diffuse in designs():
     design = folder / f"{name}.nacre"
     specular = {"specular": {"intensity": 2.5}} if name == "bright" else {}
-    design.write_text(json.dumps({"nacre": 2 if specular or "tint" in name else 1, "distribution": {"layers": layers}, **specular,
+    design.write_text(json.dumps({"nacre": 2, "distribution": {"layers": layers}, **specular,
                                   "shadowing": {"model": masking, "clamp": not name.endswith("no-clamp")},
                                   "fresnel": {"model": fresnel, **materials.get(fresnel, {})}, "diffuse": {"model": diffuse, **diffuses.get(diffuse, {})}}))
     check(design)
