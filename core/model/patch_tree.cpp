@@ -36,7 +36,7 @@ HWY_ATTR inline void look(const PatchBlock& block, const float* k, PatchView& vi
         const auto most = hn::Add(hn::Mul(half, hn::Add(m, hn::Sqrt(square))), hn::Load(d, block.radius + i));
         const auto seen = hn::Mul(most, hn::Load(d, block.mass + i));
         const auto hidden = hn::Lt(hn::Add(m, hn::Load(d, block.reach + i)), zero);
-        hn::Store(hn::IfThenElse(hidden, zero, seen), d, view.rising + 4 + i);
+        hn::StoreU(hn::IfThenElse(hidden, zero, seen), d, view.rising + 4 + i);  // 4 are no whole vector
     }
     const Four four;
     for (std::size_t i = 0; i < 4; i += hn::Lanes(four)) {
