@@ -12,7 +12,7 @@
 namespace nacre::cli {
 namespace {
 
-constexpr std::size_t block = 4u << 20;     // bytes that are read at once, if they are there
+constexpr std::size_t block_min = 1u << 16, block_max = 4u << 20;  // bytes that are read at once
 constexpr std::size_t line_max = 1u << 16;  // bytes: an input without ends of lines cannot fill the memory
 constexpr std::chrono::milliseconds between_looks{50};  // at Ctrl+C
 
@@ -28,7 +28,9 @@ bool LineSource::read_more() {
     while (!input_is_ready(between_looks));
     buffer_.erase(0, begin_);
     begin_ = 0;
+    // As much again as has come so far: a short input takes little memory.
     const std::size_t kept = buffer_.size();
+    const std::size_t block = std::clamp(static_cast<std::size_t>(taken_) + kept, block_min, block_max);
     buffer_.resize(kept + block);
     const auto count = read_input(buffer_.data() + kept, block);
     buffer_.resize(kept + count.value_or(0));
