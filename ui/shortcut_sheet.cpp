@@ -20,10 +20,10 @@ SheetGroup keyboard_group() {
             {{"Down, Up", "To the next widget of this part of the window, or the one before."},
              {"F6, Shift+F6", "To the next part, or the one before."},
              {"F10", "To the menus."},
-             {"Enter or Space", "A click; types into a number; on the canvas or the preview, a pointer."},
-             {"Arrows, with a pointer", "Move it; with Shift by a pixel."},
-             {"Enter, Space", "Clicks; presses and lets go."},
-             {"Page Up, Page Down", "Closer and farther."},
+             {"Enter or Space", "Clicks, or types into a number; brings a pointer to the canvas or preview."},
+             {"Arrows, with a pointer", "Move it; with Shift by one pixel."},
+             {"Enter, Space, with it", "Clicks; presses, and lets go the next time."},
+             {"Page Up, Page Down, with it", "Closer and farther."},
              {"Left, Right", "A number less or more; with Shift a tenth of that."},
              {"Shift+F10 or Menu", "What a right click opens."}}};
 }

@@ -25,9 +25,9 @@ void whole_number(const char* name, const char* format, const WholeRange& range,
 void choice(const char* name, int& index, const std::vector<std::string>& names, float width,
             const char* text);
 
-// How what the brush and its like do combines with what is there.
 std::vector<std::string> labels_of(std::span<const Choice> list);
 
+// How what the brush and its like do combines with what is there.
 void combine_choice(Brush& brush, const char* name, float width);
 
 }  // namespace nacre::ui

@@ -199,7 +199,7 @@ void Autosave::follow(const Document& document) {
     if (!changed) return;
     std::vector<Wanted> wanted;
     for (std::size_t i = 0; i < unsaved.size(); ++i) {
-        Document::Unsaved& work = unsaved[i];
+        const Document::Unsaved& work = unsaved[i];
         wanted.push_back(before[i] != nullptr
                              ? *before[i]
                              : Wanted{work.document, ++numbers_, {*work.design, work.file, work.held}});

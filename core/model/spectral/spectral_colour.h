@@ -3,9 +3,8 @@
 //
 //   observer    CIE 1931, 2 degrees
 //   light       D65
-//   white       the same light, which is also the white of Rec. 709: what reflects 1 everywhere is (1, 1, 1),
-//   and no
-//               adaptation takes place
+//   white       D65 too, as Rec. 709's: what reflects 1 everywhere is (1, 1, 1)
+//   adaptation  none
 //   primaries   Rec. 709, linear
 //   gamut       a channel outside 0 to 1 is clipped, after the integration
 #pragma once
