@@ -71,9 +71,20 @@ std::string with_cases(std::string text, std::string_view mark, const std::strin
     return text;
 }
 
-// The text with its lines `#if HAS_TINT` to `#endif` and what is between them, or without: a design that has
-// no tint does not even carry the question.
-std::string with_tint_resolved(const std::string& text, bool tinted) {
+// A part that most designs do without, by its macro.
+struct OptionalPart {
+    const char* macro;
+    bool used;
+};
+
+std::vector<OptionalPart> optional_parts(const ShadingKinds& kinds) {
+    return {{"HAS_TINT", kinds.tint != Tint::none}};
+}
+
+// The text with its lines `#if MACRO` to `#endif` and what is between them, or without: a design that does
+// not use the part does not even carry the question. Such lines of one part do not nest.
+std::string with_resolved(const std::string& text, const OptionalPart& part) {
+    const std::string opening = fmt::format("#if {}\n", part.macro);
     std::string result;
     int depth = 0, opened_at = 0;  // of #if, and of the one that is resolved; 0: none
     for (std::size_t begin = 0; begin < text.size();) {
@@ -81,14 +92,18 @@ std::string with_tint_resolved(const std::string& text, bool tinted) {
         const std::string_view line(text.data() + begin, end - begin);
         begin = end;
         depth += line.starts_with("#if") ? 1 : 0;
-        const bool opens = line == "#if HAS_TINT\n",
-                   closes = line.starts_with("#endif") && depth == opened_at;
+        const bool opens = line == opening, closes = line.starts_with("#endif") && depth == opened_at;
         if (opens) opened_at = depth;
-        if (!opens && !closes && (tinted || opened_at == 0)) result += line;
+        if (!opens && !closes && (part.used || opened_at == 0)) result += line;
         depth -= line.starts_with("#endif") ? 1 : 0;
         if (closes) opened_at = 0;
     }
     return result;
+}
+
+std::string with_parts_resolved(std::string text, const ShadingKinds& kinds) {
+    for (const OptionalPart& part : optional_parts(kinds)) text = with_resolved(text, part);
+    return text;
 }
 
 std::string shown_definitions(const ShaderVariant& variant) {
@@ -154,7 +169,7 @@ std::string variant_definitions(const ShaderVariant& variant) {
 }
 
 std::string shared_parameters(const ShaderVariant& variant) {
-    return with_tint_resolved(text_of("shared/parameters.glsl"), variant.kinds.tint != Tint::none);
+    return with_parts_resolved(text_of("shared/parameters.glsl"), variant.kinds);
 }
 
 std::string shared_mathematics(const ShaderVariant& variant) {
@@ -174,7 +189,7 @@ std::string shared_mathematics(const ShaderVariant& variant) {
           text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
           diffuse.functions, text_of("shared/brdf.glsl")})
         text += part + "\n";
-    text = with_tint_resolved(text, kinds.tint != Tint::none);
+    text = with_parts_resolved(std::move(text), kinds);
     text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
     text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
     text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
