@@ -21,8 +21,34 @@ vec3 shown_diffuse(Direction a, Direction b) {
 #endif
 }
 
+#if HAS_MULTIBOUNCE
+// A closed form knows of none.
+vec3 shown_bounces(Direction a, Direction b) {
+#if CLOSED_FORM
+    return vec3(0.0);
+#else
+    return multibounce(a, b) * surface.ks;
+#endif
+}
+
+vec3 shown_bounce_albedo(Direction a) {
+#if CLOSED_FORM
+    return vec3(0.0);
+#else
+    return a.M * surface.ks;
+#endif
+}
+#endif
+
 // 1/sr
 vec3 shown_brdf(Direction a, Direction b) {
+#if SHOWS_MULTIBOUNCE
+    vec3 bounces = vec3(0.0);
+#if HAS_MULTIBOUNCE
+    bounces = shown_bounces(a, b);
+#endif
+    return bounces;
+#endif
 #if SHOWS_SPECULAR
     return shown_specular(a, b);
 #elif SHOWS_DIFFUSE
@@ -37,6 +63,13 @@ vec3 shown_brdf(Direction a, Direction b) {
 #if HAS_ALBEDO
 // Of a constant environment of radiance 1, what leaves toward k.
 vec3 shown_albedo(Direction a) {
+#if SHOWS_MULTIBOUNCE
+    vec3 bounces = vec3(0.0);
+#if HAS_MULTIBOUNCE
+    bounces = shown_bounce_albedo(a);
+#endif
+    return bounces;
+#endif
 #if CLOSED_FORM
     bool alone = closed_form.model == MODEL_OREN_NAYAR;
     vec3 model = closed_form_albedo(closed_form, a.k);
@@ -51,6 +84,9 @@ vec3 shown_albedo(Direction a) {
 #elif SHOWS_DIFFUSE
     return rest;
 #else
+#if HAS_MULTIBOUNCE
+    first += shown_bounce_albedo(a);
+#endif
     return first + rest;
 #endif
 }

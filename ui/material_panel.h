@@ -8,6 +8,7 @@ namespace nacre::ui {
 // Each returns whether its value changed.
 bool fresnel_panel(Fresnel& fresnel);
 bool diffuse_panel(Diffuse& diffuse);
+bool multibounce_panel(Multibounce& multibounce);
 bool shadowing_panel(Shadowing& shadowing, double& mean_cosine_scale);
 
 }  // namespace nacre::ui

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <atomic>
 #include <iterator>
 
 #include "app/cli/bake_options.h"
@@ -10,6 +12,7 @@
 #include "app/cli/verbs.h"
 #include "core/bake/brdf.h"
 #include "core/design/design_file.h"
+#include "core/verify/bounce_oracle.h"
 #include "core/verify/reference.h"
 
 namespace nacre::cli {
@@ -19,6 +22,7 @@ struct EvalOptions {
     std::string design;
     std::string term = "total";
     bool exact = false;
+    int walks = 65536;
     BakeOptions bake = {};
 };
 
@@ -49,20 +53,44 @@ void answer_from_tables(const Design& design, const EvalOptions& options, Term t
         interrupt);
 }
 
+// rho of a term that may hold multiple bounces, and the largest standard error of any colour that these have.
+dvec3 exact_term(const Reference& reference, const Design& design, const EvalOptions& options, Term term,
+                 std::span<const dvec3> k, double& error, const std::stop_token& stop) {
+    dvec3 rho{0};
+    if (term != Term::multibounce)
+        rho = brdf_term(reference.shading(), reference.direction(k[0], stop), reference.direction(k[1], stop),
+                        term);
+    const bool bounces =
+        has_bounces(design.multibounce) && (term == Term::total || term == Term::multibounce);
+    if (!bounces) return rho;
+    const double weight = reference.shading().surface.ks;
+    const WalkEstimate walked = BounceOracle(reference).rho(k[0], k[1], {.walks = options.walks}, stop);
+    error = weight * std::max({walked.error.x, walked.error.y, walked.error.z});
+    return rho + weight * walked.mean;
+}
+
 void answer_exactly(const Design& design, const EvalOptions& options, Term term, const Interrupt& interrupt) {
     const std::stop_token stop = interrupt.token();
     Reference reference = about_file(options.design, [&] { return Reference(design); });
+    reference.set_walks(options.walks);
     reference.prepare_coupling(stop);
+    std::atomic<double> worst = 0;  // standard error
     answer_lines(
         {.directions = 2, .batch = 256},
         [&](std::span<const dvec3> k, std::string& text) {
             dvec3 rho{0};
-            if (k[0].z > 0 && k[1].z > 0)
-                rho = brdf_term(reference.shading(), reference.direction(k[0], stop),
-                                reference.direction(k[1], stop), term);
+            if (k[0].z > 0 && k[1].z > 0) {
+                double error = 0;
+                rho = exact_term(reference, design, options, term, k, error, stop);
+                for (double known = worst; known < error && !worst.compare_exchange_weak(known, error);) {
+                }
+            }
             append_colour(rho, true, text);
         },
         interrupt);
+    if (worst > 0)
+        fmt::print(stderr, "multiple bounces by {} walks a line: standard error at most {:.2g}\n",
+                   options.walks, worst.load());
 }
 
 int eval(const EvalOptions& options, const Interrupt& interrupt) {
@@ -84,6 +112,10 @@ void declare(Command& command, Action& action) {
     command.option("--term", options->term, fmt::format("{} (default total)", fmt::join(term_names(), ", ")))
         .one_of(term_names());
     command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
+    command
+        .option("--walks", options->walks,
+                "with --exact: random walks a line, for multiple bounces (default 65536)")
+        .within(1, 1e8);
     add_tolerance_option(command, options->bake);
     command.footer(
         "Reads lines `k1x k1y k1z k2x k2y k2z` (z = normal; any length but 0; # begins a comment line).\n"

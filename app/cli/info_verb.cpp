@@ -67,6 +67,8 @@ std::vector<std::string> shader_parts(const Tables& tables) {
     if (kinds.fresnel != kind_index<Fresnel, NoFresnel>())
         parts.push_back(
             fmt::format("fresnel {}{}", kind_name_of<Fresnel>(kinds.fresnel), curve_text(tables.shading)));
+    if (kinds.bounces())
+        parts.push_back(fmt::format("multiple bounces {}", kind_name_of<Multibounce>(kinds.multibounce)));
     if (kinds.diffuse != kind_index<Diffuse, NoDiffuse>())
         parts.push_back(fmt::format("diffuse {}", kind_name_of<Diffuse>(kinds.diffuse)));
     parts.emplace_back("table of g");
@@ -93,6 +95,18 @@ std::string size_reason(const char* quantity, const TableError& error, const std
         sizes.push_back(fmt::format("{} x {} with {:.1e}", size.nodes.polar, size.nodes.azimuth, size.worst));
     return fmt::format("  {}  worst {:.1e}, root mean square {:.1e}, {} directions; tried: {}\n", quantity,
                        error.worst, error.root_mean_square, error.directions, fmt::join(sizes, ", "));
+}
+
+std::string bounce_reason(const BounceFigures& bounces) {
+    return fmt::format(
+        "  bounces  {} walks{}\n", bounces.walks,
+        bounces.misplaced ? fmt::format(", {:.2g} % of all energy misplaced", 100 * *bounces.misplaced) : "");
+}
+
+nlohmann::ordered_json bounce_json(const BounceFigures& bounces) {
+    nlohmann::ordered_json json = {{"walks", bounces.walks}};
+    if (bounces.misplaced) json["misplaced"] = *bounces.misplaced;
+    return json;
 }
 
 nlohmann::ordered_json size_json(const TableError& error, const std::vector<TriedSize>& tried) {
@@ -137,6 +151,7 @@ std::string text_info(const Design& design, const Tables& tables) {
     text += fmt::format("\nsizes, for errors within {:.1e}\n", tables.tolerance);
     text += size_reason("g", tables.errors.area, tables.tried_area);
     if (tables.needs.albedo) text += size_reason("R", tables.errors.albedo, tables.tried_albedo);
+    if (tables.bounces) text += bounce_reason(*tables.bounces);
     text += fmt::format("\nshader\n  {}\n\nleft out\n", fmt::join(shader_parts(tables), "\n  "));
     for (const Omission& omission : tables.omissions)
         text += fmt::format("  {}: {}\n", omission.what, omission.why);
@@ -160,22 +175,23 @@ std::string json_info(const Design& design, const Tables& tables) {
                             {"bytes", picture.values.size() * sizeof(float)}});
     for (const Omission& omission : tables.omissions)
         omissions.push_back({{"what", omission.what}, {"why", omission.why}});
-    const Json json = {{"name", design.name},
-                       {"note", design.note},
-                       {"layers", std::move(layers)},
-                       {"N", tables.shading.surface.N},
-                       {"H", {tables.mean.x, tables.mean.y, tables.mean.z}},
-                       {"symmetry", name_of(tables.needs.symmetry.symmetry)},
-                       {"specular_intensity", design.specular.intensity},
-                       {"creates_energy", !energy_note(design.specular.intensity).empty()},
-                       {"tables", std::move(pictures)},
-                       {"bake_seconds", tables.seconds},
-                       {"table_bytes", tables.table_floats() * sizeof(float)},
-                       {"tolerance", tables.tolerance},
-                       {"g", size_json(tables.errors.area, tables.tried_area)},
-                       {"R", size_json(tables.errors.albedo, tables.tried_albedo)},
-                       {"shader", shader_parts(tables)},
-                       {"left_out", std::move(omissions)}};
+    Json json = {{"name", design.name},
+                 {"note", design.note},
+                 {"layers", std::move(layers)},
+                 {"N", tables.shading.surface.N},
+                 {"H", {tables.mean.x, tables.mean.y, tables.mean.z}},
+                 {"symmetry", name_of(tables.needs.symmetry.symmetry)},
+                 {"specular_intensity", design.specular.intensity},
+                 {"creates_energy", !energy_note(design.specular.intensity).empty()},
+                 {"tables", std::move(pictures)},
+                 {"bake_seconds", tables.seconds},
+                 {"table_bytes", tables.table_floats() * sizeof(float)},
+                 {"tolerance", tables.tolerance},
+                 {"g", size_json(tables.errors.area, tables.tried_area)},
+                 {"R", size_json(tables.errors.albedo, tables.tried_albedo)},
+                 {"shader", shader_parts(tables)},
+                 {"left_out", std::move(omissions)}};
+    if (tables.bounces) json["bounces"] = bounce_json(*tables.bounces);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

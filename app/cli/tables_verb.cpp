@@ -52,7 +52,7 @@ Row read_tables(const Tables& tables, dvec3 k) {
     const auto spot = shading.table_spot(k);
     Row row;
     row.g = shading.projected_area(k, spot);
-    if (row.g > 0) row.P = shading.masking({k, row.g, dvec3{0}});
+    if (row.g > 0) row.P = shading.masking(Shading<double>::known_direction(k, row.g, dvec3{0}));
     row.R = read_albedo(shading, k, tables.needs.fresnel_tables);
     return row;
 }

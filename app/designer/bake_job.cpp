@@ -19,16 +19,18 @@ bool same_draft(const BakeRequest& a, const BakeRequest& b) {
 }
 
 // `drafted` is the request whose draft was published last: it needs no other.
-void bake_twice(Baker& baker, std::optional<BakeRequest>& drafted, const BakeRequest& request,
-                const std::stop_token& stop, const Job::Publish& publish, int threads) {
+void bake_in_steps(Baker& baker, std::optional<BakeRequest>& drafted, const BakeRequest& request,
+                   const std::stop_token& stop, const Job::Publish& publish, int threads) {
     set_niceness(worker_niceness);
     check_design(request.design, "design");
-    for (const Quality quality : {Quality::draft, Quality::final}) {
-        const bool same = drafted && same_draft(*drafted, request);
-        if (quality == Quality::draft ? same : !request.settled) continue;
-        const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
+    for (const BakeOptions& step : bake_steps(request.design)) {
+        const bool draft = step.quality == Quality::draft, same = drafted && same_draft(*drafted, request);
+        if (draft ? same : !request.settled) continue;
+        BakeOptions options = step;
+        options.albedo = request.albedo;
+        options.threads = threads;
         publish(baker.bake(request.design, options, stop, {}, request.p));
-        if (quality == Quality::draft) drafted = request;
+        if (draft) drafted = request;
         if (stop.stop_requested()) return;
     }
 }
@@ -39,7 +41,7 @@ BakeJob::BakeJob(int threads, std::function<void()> notify)
     : job_(
           [this, threads](const BakeRequest& request, const std::stop_token& stop,
                           const Job::Publish& publish) {
-              bake_twice(baker_, drafted_, request, stop, publish, threads);
+              bake_in_steps(baker_, drafted_, request, stop, publish, threads);
           },
           std::move(notify)) {}
 

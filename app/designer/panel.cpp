@@ -1,5 +1,6 @@
 #include "app/designer/panel.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <memory>
@@ -11,6 +12,7 @@
 #include "app/designer/perform.h"
 #include "app/designer/scene_panel.h"
 #include "core/base/limits.h"
+#include "core/design/design_check.h"
 #include "ui/item_map.h"
 #include "ui/material_panel.h"
 #include "ui/widgets.h"
@@ -18,13 +20,34 @@
 namespace nacre {
 namespace {
 
+// A metal that is new begins with the light that bounces between its facets, which makes rough ones as bright
+// as they are.
+void draw_fresnel(Design& design) {
+    const bool was_metal = is_metal(design.fresnel);
+    ui::fresnel_panel(design.fresnel);
+    const bool alone = std::holds_alternative<NoDiffuse>(design.diffuse) && bounce_problem(design).empty();
+    if (!was_metal && is_metal(design.fresnel) && alone) design.multibounce = MomentumMultibounce{};
+}
+
+// What rules bounces out ends them.
+void draw_bounces(Design& design) {
+    const std::string problem = bounce_problem(design);
+    if (!problem.empty()) design.multibounce = NoMultibounce{};
+    ImGui::BeginDisabled(!problem.empty());
+    ui::multibounce_panel(design.multibounce);
+    ImGui::EndDisabled();
+    if (!problem.empty()) ui::dim_text(fmt::format("None: {}.", problem));
+}
+
 void draw_material(Design& design) {
     ui::text_field("Name##Design name", design.name, "Untitled",
                    "The design's name: it appears in the window's title, in exported tables and in GLSL.");
     ImGui::Spacing();
-    ui::fresnel_panel(design.fresnel);
+    draw_fresnel(design);
     ImGui::Spacing();
     ui::diffuse_panel(design.diffuse);
+    ImGui::Spacing();
+    draw_bounces(design);
     ImGui::Spacing();
     ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
     ImGui::Spacing();

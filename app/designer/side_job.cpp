@@ -14,9 +14,11 @@ void bake_side(Baker& baker, const SideRequest& request, const std::stop_token& 
                const Job::Publish& publish, int threads) {
     set_niceness(worker_niceness);
     check_design(request.design, "design");
-    for (const Quality quality : {Quality::draft, Quality::final}) {
-        if (quality == Quality::final && !request.settled) return;
-        const BakeOptions options{.quality = quality, .albedo = request.albedo, .threads = threads};
+    for (const BakeOptions& step : bake_steps(request.design)) {
+        if (step.quality == Quality::final && !request.settled) return;
+        BakeOptions options = step;
+        options.albedo = request.albedo;
+        options.threads = threads;
         publish(bake_for_comparison(baker, request.design, request.comparison_model, options, stop));
         if (stop.stop_requested()) return;
     }

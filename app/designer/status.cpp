@@ -27,7 +27,10 @@ std::string time_text(const Tables& tables) {
 std::string error_text(const Tables& tables) {
     std::string text = fmt::format("g within {:.2g} %", tables.errors.area.worst * 100);
     if (tables.needs.albedo) text += fmt::format(", R within {:.2g} %", tables.errors.albedo.worst * 100);
-    return text;
+    if (!tables.bounces) return text;
+    if (tables.bounces->misplaced)
+        return text + fmt::format(", bounces: {:.2g} % misplaced", *tables.bounces->misplaced * 100);
+    return text + ", bounces: even";
 }
 
 }  // namespace

@@ -266,21 +266,31 @@ bool AlbedoQuadrature::refine_at(const std::vector<dvec3>& directions, double to
 }
 
 AlbedoValues AlbedoQuadrature::operator()(dvec3 k1, double g1) const {
+    return over_lobes(k1, g1, FirstBounce::leaves);
+}
+
+AlbedoValues AlbedoQuadrature::staying(dvec3 k1, double g1) const {
+    return over_lobes(k1, g1, FirstBounce::stays);
+}
+
+AlbedoValues AlbedoQuadrature::over_lobes(dvec3 k1, double g1, FirstBounce which) const {
     const AlbedoLayout layout{channels_, shading_.kinds.tint};
     AlbedoValues sum{};
     for (std::size_t lobe = 0; lobe < levels_.size(); ++lobe)
-        layout.add(over_lobe(lobe, level(lobe, g1), k1, g1), shading_.layers[lobe].tint, sum);
+        layout.add(over_lobe(lobe, level(lobe, g1), k1, g1, which), shading_.layers[lobe].tint, sum);
     return sum;
 }
 
-LayerAlbedo AlbedoQuadrature::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const {
+LayerAlbedo AlbedoQuadrature::over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1,
+                                        FirstBounce which) const {
     const PlacedLobe& placed = distribution_.lobes()[lobe];
-    if (placed.lobe->spans().empty()) return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe]);
+    if (placed.lobe->spans().empty())
+        return sum_albedo(shading_, k1, g1, channels_, facets_[level][lobe], which);
     LayerAlbedo sum{};
     for (const LobeParameterization& span : placed.lobe->spans())
         walk_span(GreatCircleQuadrature(placed, span, k1), level, parted_as(shading_),
                   [&](const WeightedDirections& facets) {
-                      add(sum, sum_albedo(shading_, k1, g1, channels_, facets));
+                      add(sum, sum_albedo(shading_, k1, g1, channels_, facets, which));
                   });
     return sum;
 }

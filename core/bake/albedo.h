@@ -12,7 +12,7 @@ struct FacetAlbedo {
     template <class AreaOf>
     LayerAlbedo operator()(dvec3 h, const AreaOf& area) const {
         double values[4];
-        shading.facet_albedo({k1, g1, dvec3{0}}, h, channels, area, values);
+        shading.facet_albedo(Shading<double>::known_direction(k1, g1, dvec3{0}), h, channels, area, values);
         return {values[0], values[1], values[2], values[3]};
     }
 
@@ -45,6 +45,9 @@ class AlbedoQuadrature {
     // R(k1), g(k1) given; AlbedoLayout of these channels and the shading's tint says of what.
     AlbedoValues operator()(dvec3 k1, double g1) const;
 
+    // The same of the light that does not leave after one bounce: in place of R, 1 - R where g/G = 1.
+    AlbedoValues staying(dvec3 k1, double g1) const;
+
   private:
     // Of lobes of facets, level by level: each lobe's, none where it is smooth.
     using FacetLevel = std::vector<WeightedDirections>;
@@ -61,7 +64,9 @@ class AlbedoQuadrature {
     std::vector<dvec3> turned_directions() const;
     std::size_t level(std::size_t lobe, double g1) const;
     void make_facets(std::size_t level);
-    LayerAlbedo over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1) const;
+    AlbedoValues over_lobes(dvec3 k1, double g1, FirstBounce which) const;
+    LayerAlbedo over_lobe(std::size_t lobe, std::size_t level, dvec3 k1, double g1,
+                          FirstBounce which = FirstBounce::leaves) const;
 
     const FacetDistribution& distribution_;
     const Shading<double>& shading_;

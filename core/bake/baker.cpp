@@ -57,6 +57,11 @@ bool same_albedo(const Design& a, const Design& b) {
            same_tints(a.distribution, b.distribution);
 }
 
+// Whether tables are fitted to random walks.
+bool fits_bounces(const Design& design, const BakeOptions& options) {
+    return is_fitted(design.multibounce) && options.fit_bounces && options.quality == Quality::final;
+}
+
 bool same_wishes(const BakeOptions& a, const BakeOptions& b) {
     return a.quality == b.quality && a.tolerance == b.tolerance && a.size == b.size &&
            a.symmetry == b.symmetry;
@@ -164,6 +169,9 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
                            same_area(before->design, made.design) &&
                            before->needs.symmetry == made.needs.symmetry;
     const bool keep_albedo = keep_area && before->albedo.data && same_albedo(before->design, made.design);
+    if (keep_albedo && before->bounces &&
+        fits_bounces(made.design, made.options) == before->bounces->momentum.has_value())
+        made.bounces = before->bounces;
     area_origin_ = albedo_origin_ = TableOrigin::reused;
     made.distribution = keep_area ? before->distribution : now.distribution;
     if (keep_area) {
@@ -213,16 +221,10 @@ std::shared_ptr<const Tables> Baker::bake(const Design& named, const BakeOptions
     return tables;
 }
 
-void Baker::add_albedo(const Kept& made, Tables& tables, Workers& workers) {
-    Shading<double>& shading = tables.shading;
+void Baker::add_albedo(const Kept& made, Tables& tables) {
     const KeptAlbedo& albedo = made.albedo;
-    AlbedoTable::place(shading, albedo.nodes, static_cast<int>(tables.data.size()));
+    AlbedoTable::place(tables.shading, albedo.nodes, static_cast<int>(tables.data.size()));
     tables.data.insert(tables.data.end(), albedo.data->begin(), albedo.data->end());
-    shading.data = tables.data.data();
-    const AlbedoIntegrals integrals = integrate_albedo(
-        shading, made.options.quality == Quality::draft ? draft_coupling : final_coupling, workers);
-    tables.mean_albedo = integrals.mean;
-    shading.surface.coupling = integrals.coupling;
     // An error of g is one of P in R = E[F P], so that it adds at most its mean.
     tables.errors.albedo = albedo.error;
     tables.errors.albedo.worst += tables.errors.area.root_mean_square;
@@ -232,7 +234,14 @@ void Baker::add_albedo(const Kept& made, Tables& tables, Workers& workers) {
     tables.size.rho = albedo.nodes.azimuth;
 }
 
-void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
+void Baker::integrate(const Kept& made, Tables& tables, Workers& workers) {
+    const AlbedoIntegrals integrals = integrate_albedo(
+        tables.shading, made.options.quality == Quality::draft ? draft_coupling : final_coupling, workers);
+    tables.mean_albedo = integrals.mean;
+    tables.shading.surface.coupling = integrals.coupling;
+}
+
+void Baker::assemble(Kept& made, Tables& tables, Workers& workers) {
     Shading<double>& shading = tables.shading;
     shading = made.area.table->shading(shading);
     tables.needs = made.needs;
@@ -248,10 +257,14 @@ void Baker::assemble(const Kept& made, Tables& tables, Workers& workers) {
     tables.bake_seconds = made.area.seconds + made.albedo.seconds;
     tables.errors.area = made.area.error.all;
     tables.tried_area = made.area.tried;
-    if (made.albedo.data) add_albedo(made, tables, workers);
+    if (made.albedo.data) add_albedo(made, tables);
     append_fresnel_curve(shading, tables.data);
     describe_layers(made.design.distribution, *tables.distribution, shading, tables.data);
     shading.data = tables.data.data();
+    if (has_bounces(made.design.multibounce))
+        add_bounce_tables(tables, made.area.table->grid(), made.design.multibounce,
+                          fits_bounces(made.design, made.options), made.bounces, workers);
+    if (made.albedo.data) integrate(made, tables, workers);
 }
 
 }  // namespace nacre

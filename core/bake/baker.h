@@ -7,6 +7,7 @@
 
 #include "core/bake/albedo_table.h"
 #include "core/bake/bake.h"
+#include "core/bake/bounce_tables.h"
 
 namespace nacre {
 
@@ -53,6 +54,7 @@ class Baker {
         std::shared_ptr<const FacetDistribution> distribution = {};
         KeptArea area = {};
         KeptAlbedo albedo = {};
+        std::optional<BounceFit> bounces = {};
     };
 
     // The new p against the one before.
@@ -73,8 +75,9 @@ class Baker {
                        const Shading<double>& material, Workers& workers);
     static KeptAlbedo make_albedo(const Kept& made, const Shading<double>& material, Workers& workers);
 
-    static void assemble(const Kept& made, Tables& tables, Workers& workers);
-    static void add_albedo(const Kept& made, Tables& tables, Workers& workers);
+    static void assemble(Kept& made, Tables& tables, Workers& workers);
+    static void add_albedo(const Kept& made, Tables& tables);
+    static void integrate(const Kept& made, Tables& tables, Workers& workers);
 
     Distribution before_;  // what distribution_ was made from
     std::shared_ptr<const FacetDistribution> distribution_;

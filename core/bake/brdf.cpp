@@ -9,6 +9,8 @@ dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction
     switch (term) {
         case Term::specular:
             return shading.specular(a, b) * shading.surface.ks;
+        case Term::multibounce:
+            return shading.multibounce(a, b) * shading.surface.ks;
         case Term::diffuse:
             return shading.diffuse(a, b);
         case Term::density:
@@ -33,7 +35,7 @@ dvec3 Brdf::evaluate(dvec3 k1, dvec3 k2, Term term) const {
     return brdf_term(shading, shading.direction(k1), shading.direction(k2), term);
 }
 
-double Brdf::diffuse_probability() const { return tables_->shading.diffuse_probability(); }
+double Brdf::cosine_probability() const { return tables_->shading.cosine_probability(); }
 
 double Brdf::pdf(dvec3 k1, dvec3 k2) const {
     if (k1.z <= 0 || k2.z <= 0) return 0;
@@ -46,7 +48,7 @@ double Brdf::pdf(dvec3 k1, dvec3 k2) const {
 dvec3 Brdf::draw(dvec3 k1, Random& random) const {
     constexpr dvec3 none{0};
     if (k1.z <= 0) return none;
-    const double diffuse = diffuse_probability();
+    const double diffuse = cosine_probability();
     if (diffuse > 0 && uniform_random(random) < diffuse) return cosine_sample(random);
     const std::optional<dvec3> h = tables_->distribution->visible_facets()(k1, random);
     return h ? mirrored(k1, *h) : none;

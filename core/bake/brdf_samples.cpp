@@ -54,7 +54,7 @@ using Column = std::array<double, at_once>;
 
 // k2 of samples, not above the horizon where there is none.
 void draw_some(const Brdf& brdf, std::span<const dvec3> k1, Random& random, std::span<BrdfSample> samples) {
-    const double diffuse = brdf.diffuse_probability();
+    const double diffuse = brdf.cosine_probability();
     std::array<dvec3, at_once> from, facets;
     std::array<std::size_t, at_once> index;
     std::size_t count = 0;

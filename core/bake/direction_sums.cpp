@@ -48,18 +48,18 @@ HWY_FLATTEN HWY_ATTR void weigh(const WeightedDirections& directions, const Valu
 }
 
 void sum_over_facets(const Shading<double>& material, const Shading<double>::Direction& from, int channels,
-                     const WeightedDirections& facets, LayerAlbedo& sum) {
+                     const WeightedDirections& facets, FirstBounce which, LayerAlbedo& sum) {
     Lanes shading;
     copy_surface(shading, material);
     Table table;
     copy_surface(table, material);
-    const Lanes::Direction a{Lanes::real3(from.k), Real(from.g), Lanes::real3(0.0)};
+    const Lanes::Direction a = Lanes::known_direction(Lanes::real3(from.k), Real(from.g), Lanes::real3(0.0));
     const TableArea area{table};
-    weigh(
-        facets,
-        [&](Lanes::real3 h, Real(&values)[4])
-            HWY_ATTR { shading.facet_albedo(a, h, channels, area, values); },
-        sum);
+    const auto leaves = [&](Lanes::real3 h, Real(&values)[4])
+                            HWY_ATTR { shading.facet_albedo(a, h, channels, area, values); };
+    const auto stays = [&](Lanes::real3 h, Real(&values)[4])
+                           HWY_ATTR { shading.facet_bounce(a, h, channels, area, values); };
+    which == FirstBounce::leaves ? weigh(facets, leaves, sum) : weigh(facets, stays, sum);
 }
 
 void sum_over_shares(const Shading<double>& material, const WeightedDirections& directions, Values<6>& sum) {
@@ -71,14 +71,36 @@ void sum_over_shares(const Shading<double>& material, const WeightedDirections& 
             const Lanes::TableSpot spot = shading.table_spot(k);
             const Real g = shading.projected_area(k, spot);
             const Lanes::AlbedoSpot albedo = shading.albedo_spot(k, spot);
-            const Lanes::real3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
-            const Lanes::real3 full = shading.colour_albedo_f1(albedo) * shading.clamped_part(k, g);
+            const Real kept = shading.clamped_part(k, g);
+            Lanes::Direction a = Lanes::known_direction(k, g, shading.albedo_of(k, g, albedo));
+            if (shading.kinds.bounces()) a = shading.with_bounces(a, albedo, kept);
+            const Lanes::real3 share = shading.diffuse_share(a);
+            const Lanes::real3 full = shading.colour_albedo_f1(albedo) * kept;
             values[0] = full.x;
             values[1] = full.y;
             values[2] = full.z;
             values[3] = share.x;
             values[4] = share.y;
             values[5] = share.z;
+        },
+        sum);
+}
+
+void sum_over_rests(const Shading<double>& material, const WeightedDirections& directions, Values<4>& sum) {
+    Lanes shading;
+    copy_surface(shading, material);
+    weigh(
+        directions,
+        [&](Lanes::real3 k, Real(&values)[4]) HWY_ATTR {
+            const Lanes::TableSpot spot = shading.table_spot(k);
+            const Real g = shading.projected_area(k, spot);
+            const Lanes::Direction a =
+                shading.with_bounces(Lanes::known_direction(k, g, Lanes::real3(0.0)),
+                                     shading.albedo_spot(k, spot), shading.clamped_part(k, g));
+            values[0] = a.rest;
+            values[1] = a.rest * a.bounce_F.x;
+            values[2] = a.rest * a.bounce_F.y;
+            values[3] = a.rest * a.bounce_F.z;
         },
         sum);
 }
@@ -93,17 +115,25 @@ namespace nacre {
 
 HWY_EXPORT(sum_over_facets);
 HWY_EXPORT(sum_over_shares);
+HWY_EXPORT(sum_over_rests);
 
 LayerAlbedo sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
-                       const WeightedDirections& facets) {
+                       const WeightedDirections& facets, FirstBounce which) {
     LayerAlbedo sum{};
-    HWY_DYNAMIC_DISPATCH(sum_over_facets)(shading, {k1, g1, dvec3{0}}, channels, facets, sum);
+    HWY_DYNAMIC_DISPATCH(sum_over_facets)
+    (shading, Shading<double>::known_direction(k1, g1, dvec3{0}), channels, facets, which, sum);
     return sum;
 }
 
 Values<6> sum_shares(const Shading<double>& shading, const WeightedDirections& directions) {
     Values<6> sum{};
     HWY_DYNAMIC_DISPATCH(sum_over_shares)(shading, directions, sum);
+    return sum;
+}
+
+Values<4> sum_rests(const Shading<double>& shading, const WeightedDirections& directions) {
+    Values<4> sum{};
+    HWY_DYNAMIC_DISPATCH(sum_over_rests)(shading, directions, sum);
     return sum;
 }
 

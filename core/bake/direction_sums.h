@@ -40,13 +40,19 @@ class WeightedDirections {
     std::vector<double> x_, y_, z_, weight_;
 };
 
-// What facets add to R(k1), weights being their masses p dh; g(k1) = g1, g(k2) from the tables of `shading`.
-// See Shading::facet_albedo.
+// Of the light from k1: what leaves after one bounce, or what stays between the facets.
+enum class FirstBounce { leaves, stays };
+
+// What facets add to R(k1), or to what stays, weights being their masses p dh; g(k1) = g1, g(k2) from the
+// tables of `shading`. See Shading::facet_albedo and facet_bounce.
 LayerAlbedo sum_albedo(const Shading<double>& shading, dvec3 k1, double g1, int channels,
-                       const WeightedDirections& facets);
+                       const WeightedDirections& facets, FirstBounce which = FirstBounce::leaves);
 
 // R with F = 1 of three colours, a tint that all share left out, then their (whole - R)+, as the finished
 // tables of `shading` hold them; see Shading::diffuse_share.
 Values<6> sum_shares(const Shading<double>& shading, const WeightedDirections& directions);
+
+// What multiple bounces spread evenly, and its three colours times F(k); see multibounce.glsl.
+Values<4> sum_rests(const Shading<double>& shading, const WeightedDirections& directions);
 
 }  // namespace nacre

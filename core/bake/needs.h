@@ -15,7 +15,8 @@ namespace nacre {
 
 struct Needs {
     DistributionSymmetry symmetry;
-    bool albedo = false;     // R(k) with F = 1, and with the design's Fresnel factor
+    bool albedo =
+        false;  // R(k) with F = 1, and with the design's Fresnel factor; what bounces leave is 1 - R
     int fresnel_tables = 0;  // of a facet. 0: F = 1 alone; 1: Schlick's weight; 3: exact, a colour each
     Tint tint = Tint::none;  // varied: of R every colour is wanted
 

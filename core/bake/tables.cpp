@@ -9,7 +9,7 @@ std::size_t Tables::table_floats() const {
     const std::size_t area = static_cast<std::size_t>(size.psi) * static_cast<std::size_t>(size.w);
     const std::size_t albedos = needs.albedo ? static_cast<std::size_t>(needs.layout().size()) : 0;
     const std::size_t albedo = static_cast<std::size_t>(size.rho) * static_cast<std::size_t>(size.v);
-    return area + albedos * albedo;
+    return area + albedos * albedo + (bounces ? bounces->floats : 0);
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double exact) {

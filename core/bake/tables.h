@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/bake/needs.h"
@@ -36,6 +37,15 @@ struct TableErrors {
     TableError albedo;  // of R, absolute: with F = 1 and with each Fresnel factor that is baked
 };
 
+// Of multiple bounces.
+struct BounceFigures {
+    bool fitted = false;  // tables fitted to random walks; else all is spread evenly
+    int walks = 0;        // that they, and the share of the second bounce, come from
+    std::optional<double>
+        misplaced;           // by the tables: part of all energy that goes to another place than other walks'
+    std::size_t floats = 0;  // of `data`
+};
+
 // Immutable once baked; shared between threads by shared_ptr<const Tables>. The layout of `data` is that of
 // shaders/shared/tables.glsl and lobes.glsl; `shading` points into it.
 struct Tables {
@@ -56,6 +66,7 @@ struct Tables {
     dvec3 mean_albedo{0};                             // AlbedoIntegrals::mean; 0 without R
     double tolerance = 0;                             // that the bake was asked for
     TableErrors errors;                               // measured by the bake, on directions between nodes
+    std::optional<BounceFigures> bounces;             // where the design has any
     std::vector<TriedSize> tried_area, tried_albedo;  // on the way to `size`
     double seconds = 0;                               // duration of the request
     double bake_seconds = 0;  // duration of making the tables, for this request or an earlier one

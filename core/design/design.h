@@ -8,6 +8,7 @@
 #include "core/model/fresnel_models.h"
 #include "core/model/layer.h"
 #include "core/model/masking_models.h"
+#include "core/model/multibounce_models.h"
 
 namespace nacre {
 
@@ -29,6 +30,7 @@ struct Design {
     Shadowing shadowing;
     Fresnel fresnel = SchlickFresnel{};
     Diffuse diffuse = NoDiffuse{};
+    Multibounce multibounce = NoMultibounce{};
     Specular specular;
 
     bool operator==(const Design&) const = default;

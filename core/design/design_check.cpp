@@ -48,6 +48,13 @@ void check_layers(const std::vector<Layer>& layers, const std::string& file) {
                         "uniform over the whole sphere alone: N = 0");
 }
 
+void check_bounces(const Design& design, const std::string& file) {
+    const std::string problem = has_bounces(design.multibounce) ? bounce_problem(design) : "";
+    if (!problem.empty())
+        throw UserError(file, "multibounce.model", problem + ": only \"none\" is allowed",
+                        std::string(kind_name(design.multibounce)));
+}
+
 }  // namespace
 
 void check_design(const Design& design, const std::string& file) {
@@ -55,6 +62,15 @@ void check_design(const Design& design, const std::string& file) {
     check_kind(design.shadowing.model, "shadowing", file);
     check_kind(design.fresnel, "fresnel", file);
     check_kind(design.diffuse, "diffuse", file);
+    check_bounces(design, file);
+}
+
+std::string bounce_problem(const Design& design) {
+    if (!design.shadowing.clamp)
+        return "bounces share out what masking takes, which without clamp is not known";
+    if (std::holds_alternative<MetalDiffuse>(design.diffuse))
+        return "the diffuse model \"metal\" stands for the same light";
+    return "";
 }
 
 std::string energy_note(double intensity) {

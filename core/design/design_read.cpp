@@ -84,6 +84,8 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
     if (reader.has("shadowing")) design.shadowing = read_shadowing(reader.at("shadowing"));
     if (reader.has("fresnel")) design.fresnel = read_model<Fresnel>(reader.at("fresnel"), "Fresnel");
     if (reader.has("diffuse")) design.diffuse = read_model<Diffuse>(reader.at("diffuse"), "diffuse");
+    if (reader.has("multibounce"))
+        design.multibounce = read_model<Multibounce>(reader.at("multibounce"), "multibounce");
     if (reader.has("specular")) design.specular = read_specular(reader.at("specular"));
     reader.finish("a design");
     if (has_distribution)

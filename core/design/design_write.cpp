@@ -222,6 +222,8 @@ std::string design_text(const Design& design, const Target& target) {
                         design.shadowing.clamp);
     text += fmt::format("  \"fresnel\": {{{}}},\n", model_text(design.fresnel));
     text += fmt::format("  \"diffuse\": {{{}}}", model_text(design.diffuse));
+    if (has_bounces(design.multibounce))
+        text += fmt::format(",\n  \"multibounce\": {{{}}}", model_text(design.multibounce));
     if (design.specular != Specular{})
         text += fmt::format(",\n  \"specular\": {{\"intensity\": {}}}", number(design.specular.intensity));
     return text + "\n}\n";
@@ -234,7 +236,8 @@ int version_of(const Design& design) {
     const bool newer = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
         return is_tinted(layer) || layer.source.has_value();
     });
-    return std::max(newer || design.specular != Specular{} ? 2 : 1, file_version(design.fresnel));
+    return std::max({newer || design.specular != Specular{} ? 2 : 1, file_version(design.fresnel),
+                     file_version(design.multibounce)});
 }
 
 std::string design_json(const Design& design, const fs::path& base_dir) {

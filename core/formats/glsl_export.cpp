@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
 #include <regex>
 #include <set>
 
@@ -35,15 +37,25 @@ struct FieldList {
     }
 };
 
-// Without the field `left_out`.
+// Without the fields that a design without some part does not have in its GLSL.
+bool has_field(const ShadingKinds& kinds, std::string_view field) {
+    if (field == "tint") return kinds.tint != Tint::none;
+    constexpr std::string_view offsets[] = {"row_offset",       "factor_offset",    "spread_offset",
+                                            "whole_offset",     "amplitude_offset", "sum_offset",
+                                            "difference_offset"};
+    const bool of_bounces = field.starts_with("bounce_") || field.starts_with("momentum_") ||
+                            std::ranges::find(offsets, field) != std::end(offsets);
+    return kinds.bounces() || !of_bounces;
+}
+
 template <class Struct>
-std::string constructor(const char* name, const Struct& value, const std::string& first = {},
-                        std::string_view left_out = {}) {
+std::string constructor(const char* name, const ShadingKinds& kinds, const Struct& value,
+                        const std::string& first = {}) {
     std::string text = fmt::format("{}(", name);
     FieldList fields{text};
     if (!first.empty()) fields.add(first);
     visit_fields(value, [&](const char* field, const auto& v) {
-        if (field != left_out) fields(field, v);
+        if (has_field(kinds, field)) fields(field, v);
     });
     return text + ")";
 }
@@ -63,14 +75,14 @@ std::string numbers(const std::vector<float>& data) {
 
 std::string constants(const Tables& tables) {
     const Shading<double>& shading = tables.shading;
-    std::string text = fmt::format(
-        "const Surface surface = {};\n",
-        constructor("Surface", shading.surface, constructor("TableShape", shading.surface.tables)));
+    std::string text =
+        fmt::format("const Surface surface = {};\n",
+                    constructor("Surface", shading.kinds, shading.surface,
+                                constructor("TableShape", shading.kinds, shading.surface.tables)));
     text += fmt::format("const int layer_count = {};\nconst Layer layers[{}] = Layer[{}](\n",
                         shading.layer_count, shading.layer_count, shading.layer_count);
-    const std::string_view left_out = shading.kinds.tint == Tint::none ? "tint" : "";
     for (int i = 0; i < shading.layer_count; ++i)
-        text += "    " + constructor("Layer", shading.layers[i], {}, left_out) +
+        text += "    " + constructor("Layer", shading.kinds, shading.layers[i]) +
                 (i + 1 < shading.layer_count ? ",\n" : ");\n");
     text += fmt::format("\nconst float data[{}] = float[{}]({}", tables.data.size(), tables.data.size(),
                         numbers_here);
@@ -82,7 +94,7 @@ std::string constants(const Tables& tables) {
 std::string prefixed(std::string text, const std::string& prefix) {
     static const std::regex definition(
         R"((?:^|\n)(?:#define |struct |const (?:float|int|Surface|Layer) |CONSTANT (?:int|scalar) |)"
-        R"((?:PURE )?(?:float|real3|real2|real|int|integer|condition|TableRows|TableSpot|AlbedoSpot|Direction|HalfVector) (?=\w+\())(\w+))");
+        R"((?:PURE )?(?:float|real3|real2|real|int|integer|condition|TableRows|TableSpot|AlbedoSpot|MomentumSpot|Direction|HalfVector) (?=\w+\())(\w+))");
     std::set<std::string> names;
     for (std::sregex_iterator match(text.begin(), text.end(), definition), end; match != end; ++match)
         names.insert((*match)[1].str());

@@ -85,6 +85,7 @@ Json material_json(const Design& design, const Tables& tables) {
     json["clamp"] = design.shadowing.clamp;
     add_model("diffuse", design.diffuse, json);
     if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
+    if (tables.bounces) add_model("multibounce", design.multibounce, json);
     if (tables.needs.albedo) json["coupling"] = numbers(surface.coupling);
     if (has_intensity(design)) json["specular_intensity"] = design.specular.intensity;
     if (tables.needs.tint == Tint::shared) json["tint"] = numbers(tables.shading.layers[0].tint);

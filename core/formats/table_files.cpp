@@ -1,7 +1,10 @@
 #include "core/formats/table_files.h"
 
+#include <fmt/core.h>
+
 #include <span>
 
+#include "core/bake/momentum_tables.h"
 #include "core/base/system/atomic_file.h"
 #include "core/base/system/output_folder.h"
 #include "core/formats/table_manifest.h"
@@ -30,6 +33,46 @@ TablePicture albedo_picture(const Tables& tables, const char* quantity, int offs
         for (int c = 0; c < channels; ++c)
             picture.values.push_back(tables.data[static_cast<std::size_t>(offset + c * size + i)]);
     return picture;
+}
+
+// A momentum table's axes; see shaders/multibounce/momentum.glsl.
+TablePicture momentum_picture(const Tables& tables, const char* quantity, int offset, bool difference) {
+    const glm::ivec2 size = momentum_size(tables.shading, difference);
+    const int nodes = tables.shading.surface.tables.momentum_nodes;
+    TablePicture picture{fmt::format("bounce-{}.exr", quantity),
+                         quantity,
+                         "abs(x') from 0 to 2",
+                         "abs(y') from 0 to 2",
+                         size,
+                         {"Y"},
+                         part(tables, offset, size.x * size.y)};
+    if (size.x > nodes) picture.x = "x' from -2 to 2";
+    if (size.y > nodes) picture.y = "y' from -2 to 2";
+    if (size.y > nodes && difference)
+        picture.x = "x' from 0 to 2, after (-x', -y') in the place of (x', y') where x' < 0";
+    if (size.y == 1) {
+        picture.x = "sqrt(x'^2 + y'^2) from 0 to 2";
+        picture.y = "";
+    }
+    return picture;
+}
+
+void add_bounce_pictures(const Tables& tables, std::vector<TablePicture>& pictures) {
+    const auto& shape = tables.shading.surface.tables;
+    const ShadingKinds& kinds = tables.shading.kinds;
+    const int factors = kinds.bounce_factors();
+    const auto add = [&](const char* quantity, int offset, int channels) {
+        pictures.push_back(albedo_picture(tables, quantity, offset, channels));
+        pictures.back().file = fmt::format("bounce-{}.exr", quantity);
+    };
+    if (kinds.tint == Tint::varied) add("whole", shape.whole_offset, 1);
+    if (factors > 0) add("factor", shape.factor_offset, factors);
+    if (!tables.bounces->fitted) return;
+    pictures.push_back(momentum_picture(tables, "amplitude", shape.amplitude_offset, false));
+    add("brought", shape.row_offset, 1);
+    if (factors > 0) add("spread", shape.spread_offset, factors);
+    pictures.push_back(momentum_picture(tables, "sum", shape.sum_offset, false));
+    pictures.push_back(momentum_picture(tables, "difference", shape.difference_offset, true));
 }
 
 void add_layer_pictures(const Tables& tables, std::vector<TablePicture>& pictures) {
@@ -73,6 +116,7 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
         pictures.push_back(albedo_picture(tables, "albedo", shape.albedo_offset, layout.full()));
     if (tables.needs.albedo && layout.factors() > 0)
         pictures.push_back(albedo_picture(tables, "residual", shape.residual_offset, layout.factors()));
+    if (tables.bounces) add_bounce_pictures(tables, pictures);
     add_layer_pictures(tables, pictures);
     pictures.push_back(corners_picture());
     return pictures;
@@ -82,6 +126,9 @@ std::vector<fs::path> table_files(const fs::path& folder, const Design& design) 
     std::vector<fs::path> files;
     for (const char* name : {"area.exr", "albedo.exr", "residual.exr", "corners.exr", manifest_name})
         files.push_back(folder / name);
+    if (has_bounces(design.multibounce))
+        for (const char* name : {"whole", "factor", "amplitude", "brought", "spread", "sum", "difference"})
+            files.push_back(folder / fmt::format("bounce-{}.exr", name));
     for (int layer = 0; layer < static_cast<int>(design.distribution.layers.size()); ++layer)
         for (const char* kind : {"painted", "modulation"})
             files.push_back(folder / layer_picture_file(layer, kind));

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -108,6 +109,31 @@ const char* row_rule(Symmetry symmetry) {
     return "";
 }
 
+// What light meets that bounces on; see shaders/shared/multibounce.glsl.
+void add_bounce_steps(const Design& design, const Tables& tables, Json& steps) {
+    const ShadingKinds& kinds = tables.shading.kinds;
+    const bool varied = kinds.tint == Tint::varied, fitted = tables.bounces->fitted;
+    const char* const tint = kinds.tint == Tint::shared ? "tint " : "";
+    const auto with_factor = [&](const char* one, const char* factor) {
+        if (kinds.bounce_factors() == 0) return fmt::format("{}{}", tint, one);
+        if (kinds.bounce_factors() == 3) return fmt::format("{}{}(v, rho)", tint, factor);
+        return fmt::format("{}(f0 {} + (1 - f0) {}(v, rho))", tint, one, factor);
+    };
+    steps.push_back(varied ? "E = max(0, whole(v, rho)) kept" : "E = R1");
+    steps.push_back(std::visit([]<class T>(const T&) { return T::rest_formula; }, design.multibounce));
+    steps.push_back(
+        fmt::format("Fb = {}: the mean Fresnel factor of light that bounces on", with_factor("1", "factor")));
+    const std::string spread = fitted ? fmt::format("a {} + ", with_factor("brought(v, rho)", "spread")) : "";
+    steps.push_back(
+        fmt::format("RM = Fb bounce_scale ({}bounce_mean e): the albedo of what bounces bring", spread));
+    if (fitted)
+        steps.push_back(
+            "amplitude(x, y), sum(t) and difference(t), t = (x, y, z), look up x' = axis[0] x + axis[1] y, "
+            "y' = axis[0] y - "
+            "axis[1] x in the table of "
+            "that name, whose texels lie evenly in what its `x` and `y` say");
+}
+
 Json evaluation_json(const Design& design, const Tables& tables) {
     const Symmetry symmetry = tables.needs.symmetry.symmetry;
     const bool clamp = design.shadowing.clamp, round = symmetry == Symmetry::isotropic;
@@ -134,6 +160,7 @@ Json evaluation_json(const Design& design, const Tables& tables) {
         if (tables.needs.fresnel_tables > 0)
             steps.push_back(
                 "R0 = max(0, F0 max(0, albedo(v, rho)) + residual(v, rho)) kept: F0 is `fresnel_at_n`");
+        if (tables.bounces) add_bounce_steps(design, tables, steps);
         steps.push_back("R, the design's own albedo, is `albedo_of_design`");
     }
     return steps;
@@ -155,6 +182,10 @@ void add_fresnel_rules(const Tables& tables, Json& json) {
             json["albedo_of_design"] = shared ? "R = tint R0: each colour" : "R = R0: each colour";
             break;
     }
+    if (!tables.bounces) return;
+    std::string rule = json["albedo_of_design"];
+    rule.insert(std::min(rule.find(':'), rule.size()), " + RM");
+    json["albedo_of_design"] = rule;
 }
 
 template <class Variant>
@@ -163,20 +194,24 @@ const char* formula_of(const Variant& model) {
 }
 
 std::string specular_formula(const Design& design, Tint tint) {
-    return fmt::format("specular = {}{}{}(h) F V/4", has_intensity(design) ? "specular_intensity " : "",
-                       tint == Tint::shared ? "tint " : "", tint == Tint::varied ? "q" : "p");
+    const std::string once =
+        fmt::format("{}{}(h) F V/4", tint == Tint::shared ? "tint " : "", tint == Tint::varied ? "q" : "p");
+    const char* const intensity = has_intensity(design) ? "specular_intensity " : "";
+    if (!has_bounces(design.multibounce)) return fmt::format("specular = {}{}", intensity, once);
+    return fmt::format("specular = {}({} + Fb1 Fb2 bounce_scale M)", intensity, once);
 }
 
 Json brdf_json(const Design& design, Tint tint) {
-    return {
+    Json steps = {
         "h = normalize(k1 + k2); c = dot(k1, h): k1 toward the light, k2 toward the viewer; rho, 1/sr, is 0 "
         "where "
         "z1 <= 0 or z2 <= 0",
         design.shadowing.clamp ? "G1 = max(g1, N z1); G2 = max(g2, N z2)" : "G1 = g1; G2 = g2",
-        formula_of(design.shadowing.model),
-        formula_of(design.fresnel),
-        specular_formula(design, tint),
-        formula_of(design.diffuse)};
+        formula_of(design.shadowing.model), formula_of(design.fresnel)};
+    if (has_bounces(design.multibounce)) steps.push_back(formula_of(design.multibounce));
+    steps.push_back(specular_formula(design, tint));
+    steps.push_back(formula_of(design.diffuse));
+    return steps;
 }
 
 Json pictures_json(const std::vector<TablePicture>& pictures) {
@@ -211,6 +246,11 @@ std::string table_manifest(const Design& design, const Tables& tables,
                          {"mean_normal", numbers(tables.mean)},
                          {"mean_albedo", tables.mean_albedo.x}};
     if (tables.needs.tint == Tint::varied) json["constants"]["mean_albedo"] = numbers(tables.mean_albedo);
+    if (tables.bounces) {
+        json["constants"]["bounce_scale"] = numbers(surface.bounce_scale);
+        json["constants"]["bounce_mean"] = numbers(surface.bounce_mean);
+        json["constants"]["bounce_even"] = surface.bounce_even;
+    }
     json["material"] = material_json(design, tables);
     json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
@@ -240,6 +280,11 @@ std::string table_manifest(const Design& design, const Tables& tables,
                      {"tolerance", tables.tolerance},
                      {"by_the_bake", errors_json(tables.errors)},
                      {"against", "adaptive integration in double"}};
+    if (tables.bounces && tables.bounces->misplaced) {
+        json["error"]["bounces"] = *tables.bounces->misplaced;
+        json["error"]["bounces_is"] =
+            "the part of all energy that goes to another place than random walks send it";
+    }
     json["bake_seconds"] = tables.seconds;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

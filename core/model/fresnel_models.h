@@ -20,7 +20,8 @@ namespace nacre {
 //
 // It may have
 //
-//   is_curve         true: F is a table, which shader() gives and NAME_fresnel() reads by table_fresnel()
+//   is_metal         true: nothing is below its facets, so that what they do not mirror out at once bounces
+//   on is_curve         true: F is a table, which shader() gives and NAME_fresnel() reads by table_fresnel()
 template <class T>
 concept FresnelModel = Kind<T> && requires(const T model, const Reflectance& wanted) {
     { T::tables } -> std::convertible_to<FresnelTables>;
@@ -46,6 +47,15 @@ inline constexpr auto curves_of_fresnel = KindSet<Fresnel>::each([]<class T>() {
     else
         return false;
 });
+
+inline constexpr auto metals_of_fresnel = KindSet<Fresnel>::each([]<class T>() {
+    if constexpr (requires { T::is_metal; })
+        return T::is_metal;
+    else
+        return false;
+});
+
+constexpr bool is_metal(const Fresnel& fresnel) { return metals_of_fresnel[fresnel.index()]; }
 
 // Whether the model of that index is a table.
 constexpr bool fresnel_is_curve(std::size_t index) { return curves_of_fresnel[index]; }

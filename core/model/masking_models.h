@@ -14,6 +14,7 @@ namespace nacre {
 // Besides what every kind has:
 //
 //   bends           where integration must cut
+//   walk            how light goes on between facets
 //   shader_width()  the width that NAME_masking() of shaders/masking/NAME.glsl reads, degrees
 //   formula         V = P12/(N c1 c2), as the manifest of exported tables has it
 //   part            what the shader leaves out with every other model; null for nothing
@@ -24,6 +25,7 @@ namespace nacre {
 template <class T>
 concept MaskingModelKind = Kind<T> && requires(const T model) {
     { T::bends } -> std::convertible_to<MaskingBends>;
+    { T::walk } -> std::convertible_to<FacetWalk>;
     { model.shader_width() } -> std::same_as<double>;
     { T::formula } -> std::convertible_to<const char*>;
     { T::part } -> std::convertible_to<const char*>;
@@ -44,6 +46,11 @@ constexpr const char* masking_part(std::size_t index) {
 // Where the model of that index bends.
 constexpr MaskingBends masking_bends(std::size_t index) {
     return KindSet<MaskingModel>::each([]<class T>() { return T::bends; }).at(index);
+}
+
+// How light goes on between the facets under the model of that index.
+constexpr FacetWalk facet_walk(std::size_t index) {
+    return KindSet<MaskingModel>::each([]<class T>() { return T::walk; }).at(index);
 }
 
 inline ExtremeClaims tilted_claims(const MaskingModel& model, bool clamp) {

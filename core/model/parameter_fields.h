@@ -41,6 +41,15 @@ void visit_table_fields(const Visit& visit, Shapes&... shapes) {
     visit("area_offset", shapes.area_offset...);
     visit("albedo_offset", shapes.albedo_offset...);
     visit("residual_offset", shapes.residual_offset...);
+    // In the GLSL of a design with multiple bounces.
+    visit("row_offset", shapes.row_offset...);
+    visit("factor_offset", shapes.factor_offset...);
+    visit("spread_offset", shapes.spread_offset...);
+    visit("whole_offset", shapes.whole_offset...);
+    visit("amplitude_offset", shapes.amplitude_offset...);
+    visit("sum_offset", shapes.sum_offset...);
+    visit("difference_offset", shapes.difference_offset...);
+    visit("momentum_nodes", shapes.momentum_nodes...);
 }
 
 // Without `tables`, which comes first.
@@ -54,6 +63,9 @@ void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
     visit("ks", surfaces.ks...);
     visit("albedo", surfaces.albedo...);
     visit("coupling", surfaces.coupling...);
+    visit("bounce_scale", surfaces.bounce_scale...);
+    visit("bounce_mean", surfaces.bounce_mean...);
+    visit("bounce_even", surfaces.bounce_even...);
 }
 
 // The surface and its layers from one struct of shading_members.inl to another, whatever their precision.

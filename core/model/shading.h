@@ -13,6 +13,7 @@
 #include "core/model/fresnel_models.h"
 #include "core/model/lobes.h"
 #include "core/model/masking_models.h"
+#include "core/model/multibounce_models.h"
 #include "core/model/tint.h"
 
 namespace nacre {
@@ -23,6 +24,7 @@ struct ShadingKinds {
     int fresnel = kind_index<Fresnel, NoFresnel>();
     int masking = kind_index<MaskingModel, UncorrelatedMasking>();
     int diffuse = kind_index<Diffuse, NoDiffuse>();
+    int multibounce = kind_index<Multibounce, NoMultibounce>();  // whose tables there are
     bool clamp = true;
     bool albedo = false;  // the tables hold R
     Tint tint = Tint::none;
@@ -32,6 +34,13 @@ struct ShadingKinds {
     }
     constexpr bool fresnel_is_curve() const {
         return nacre::fresnel_is_curve(static_cast<std::size_t>(fresnel));
+    }
+    constexpr bool bounces() const { return has_bounces(static_cast<std::size_t>(multibounce)); }
+    // Tables of what light meets that bounces on: none with F = 1, one for Schlick's weight, else one a
+    // colour.
+    constexpr int bounce_factors() const {
+        if (tint == Tint::varied || fresnel_tables() == FresnelTables::exact) return 3;
+        return fresnel_tables() == FresnelTables::linear ? 1 : 0;
     }
     constexpr MaskingBends masking_bends() const {
         return nacre::masking_bends(static_cast<std::size_t>(masking));

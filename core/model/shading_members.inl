@@ -21,6 +21,10 @@
 #define CLAMP_VISIBILITY kinds.clamp
 #define READS_ALBEDO kinds.albedo
 #define HAS_TINT 1
+#define HAS_MULTIBOUNCE 1
+#define BOUNCES kinds.bounces()
+#define BOUNCE_FACTORS kinds.bounce_factors()
+#define MULTIBOUNCE_IS(index) kinds.multibounce == index
 #define TINTED (kinds.tint != Tint::none)
 #define TINT_VARIES (kinds.tint == Tint::varied)
 
@@ -55,7 +59,10 @@ const float* curve = nullptr;  // F, where it is a table; owned by fresnel_curve
 #include "shaders/shared/direction.glsl"
 #include "core/model/masking_members.inl"
 #include "core/model/diffuse_members.inl"
+#include "shaders/shared/bounce_tables.glsl"
+#include "core/model/multibounce_members.inl"
 #pragma GCC diagnostic pop
+#include "shaders/shared/multibounce.glsl"
 #include "shaders/shared/brdf.glsl"
 #include "shaders/shared/terms.glsl"
 #include "shaders/shared/closed_forms.glsl"
@@ -72,9 +79,25 @@ void facet_albedo(const Direction& a, real3 h, int channels, const AreaOf& area,
     Direction b;
     b.k = select(up, mirrored, real3(0.0, 0.0, 1.0));
     b.g = area(b.k);
-    b.R = real3(0.0);
     values[0] = select(up, kh * b.k.z * visibility(a, b), real(0.0));
-    const real cosine = min(kh, real(1.0));
+    weigh_by_fresnel(min(kh, real(1.0)), channels, values);
+}
+
+// The same of the light that does not leave after one bounce: of P1 what P12 leaves. A facet adds F (k1.h)(1/G1 - V c2).
+template <class AreaOf>
+void facet_bounce(const Direction& a, real3 h, int channels, const AreaOf& area, real (&values)[4]) const {
+    const real kh = dot(a.k, h);
+    const condition seen = kh > real(0.0);
+    for (real& value : values) value = real(0.0);
+    if (none(seen)) return;
+    facet_albedo(a, h, 0, area, values);
+    const real G = CLAMP_VISIBILITY ? max(a.g, surface.N * a.k.z) : a.g;
+    values[0] = select(seen, max(safe_divide(kh, G) - values[0], real(0.0)), real(0.0));
+    weigh_by_fresnel(min(max(kh, real(0.0)), real(1.0)), channels, values);
+}
+
+// values[0] times each Fresnel factor of a facet that is seen at `cosine`.
+void weigh_by_fresnel(real cosine, int channels, real (&values)[4]) const {
     if (channels == 1) values[1] = values[0] * schlick_weight(cosine);
     if (channels == 3) {
         const real3 f = fresnel(cosine);
@@ -85,14 +108,24 @@ void facet_albedo(const Direction& a, real3 h, int channels, const AreaOf& area,
 }
 
 // How often Brdf::sample() draws the cosine about n instead of a facet.
-scalar diffuse_probability() const {
-    return kinds.diffuse == kind_index<Diffuse, NoDiffuse>() ? scalar(0) : scalar(0.5);
+scalar cosine_probability() const {
+    if (kinds.diffuse != kind_index<Diffuse, NoDiffuse>()) return scalar(0.5);
+    return kinds.bounces() ? scalar(0.25) : scalar(0);
+}
+
+// What is known of k without tables.
+static Direction known_direction(real3 k, real g, real3 R) {
+    Direction a{};
+    a.k = k;
+    a.g = g;
+    a.R = R;
+    return a;
 }
 
 // The density of k2 in Brdf::sample(), 1/sr; p that of the facets which mirror k1 into it, c2 its cosine.
 real sampled_density(real g1, real p, real c2) const {
     const real mirrored = select(g1 > real(0.0), p / (real(4.0) * g1), real(0.0));
-    const real part = diffuse_probability();
+    const real part = cosine_probability();
     return (real(1.0) - part) * mirrored + part * (c2 / real(TABLE_PI));
 }
 
@@ -100,7 +133,9 @@ real sampled_density(real g1, real p, real c2) const {
 void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& drawn) const {
     const HalfVector between = half_vector(a.k, b.k);
     const real p = select(between.exists, density(between.h), real(0.0));
-    rho = specular_of(a, b, between, p) * surface.ks + diffuse(a, b);
+    rho = specular_of(a, b, between, p);
+    if (kinds.bounces()) rho += multibounce(a, b);
+    rho = rho * surface.ks + diffuse(a, b);
     drawn = sampled_density(a.g, p, b.k.z);
 }
 
@@ -123,9 +158,14 @@ void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& 
 #undef CLAMP_VISIBILITY
 #undef READS_ALBEDO
 #undef HAS_TINT
+#undef HAS_MULTIBOUNCE
+#undef BOUNCES
+#undef BOUNCE_FACTORS
+#undef MULTIBOUNCE_IS
 #undef TINTED
 #undef TINT_VARIES
 #undef EACH_LOBE
 #undef EACH_FRESNEL
 #undef EACH_MASKING
 #undef EACH_DIFFUSE
+#undef EACH_MULTIBOUNCE

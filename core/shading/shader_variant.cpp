@@ -78,7 +78,7 @@ struct OptionalPart {
 };
 
 std::vector<OptionalPart> optional_parts(const ShadingKinds& kinds) {
-    return {{"HAS_TINT", kinds.tint != Tint::none}};
+    return {{"HAS_TINT", kinds.tint != Tint::none}, {"HAS_MULTIBOUNCE", kinds.bounces()}};
 }
 
 // The text with its lines `#if MACRO` to `#endif` and what is between them, or without: a design that does
@@ -161,6 +161,10 @@ std::string variant_definitions(const ShaderVariant& variant) {
         text += "#define TINTED true\n";
         text += fmt::format("#define TINT_VARIES {}\n", variant.kinds.tint == Tint::varied);
     }
+    if (variant.kinds.bounces())
+        text += fmt::format(
+            "#define BOUNCES true\n#define BOUNCE_FACTORS {}\n#define MULTIBOUNCE_IS(index) true\n",
+            variant.kinds.bounce_factors());
     // One model of each set is there.
     for (const char* fixed : {"FRESNEL_IS(index)", "FRESNEL_IS_LINEAR", "FRESNEL_IS_EXACT",
                               "MASKING_IS(index)", "DIFFUSE_IS(index)", "READS_ALBEDO"})
@@ -182,27 +186,39 @@ std::string shared_mathematics(const ShaderVariant& variant) {
         kind_texts<MaskingModel>("masking", "MASKING_CASE", {"_masking"}, {kinds.masking});
     const KindTexts diffuse = kind_texts<Diffuse>("diffuse", "DIFFUSE_CASE",
                                                   {"_share", "_diffuse", "_diffuse_albedo"}, {kinds.diffuse});
+    KindTexts bounces;
+    if (kinds.bounces()) {
+        bounces = kind_texts<Multibounce>("multibounce", "MULTIBOUNCE_CASE",
+                                          {"_amplitude", "_row", "_spread", "_kernel"}, {kinds.multibounce});
+        bounces.functions = text_of("shared/bounce_tables.glsl") + "\n" + bounces.functions +
+                            text_of("shared/multibounce.glsl");
+    }
     std::string text;
     for (const std::string& part :
          {text_of("choice.glsl"), text_of("shared/fresnel.glsl"), fresnel.functions,
           text_of("shared/pictures.glsl"), lobe.functions, text_of("shared/lobes.glsl"),
           text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
-          diffuse.functions, text_of("shared/brdf.glsl")})
+          diffuse.functions + bounces.functions, text_of("shared/brdf.glsl")})
         text += part + "\n";
     text = with_parts_resolved(std::move(text), kinds);
     text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
     text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
     text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
+    text = with_cases(std::move(text), "EACH_MULTIBOUNCE", bounces.cases);
     return with_cases(std::move(text), "EACH_DIFFUSE", diffuse.cases);
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
+    const OptionalPart bounces{"SHOWS_MULTIBOUNCE", variant.term == Term::multibounce};
+    const auto resolved = [&](std::string_view name) {
+        return with_parts_resolved(with_resolved(text_of(name), bounces), variant.kinds);
+    };
     std::string text = "#version 330 core\n" + variant_definitions(variant) + shown_definitions(variant) +
                        shared_parameters(variant) + "\n" + text_of("uniforms.glsl") + "\n" +
                        shared_mathematics(variant) + "\n";
     if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
     if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";
-    for (const std::string_view part : parts_of(variant, main)) text += text_of(part) + "\n";
+    for (const std::string_view part : parts_of(variant, main)) text += resolved(part) + "\n";
     return text + text_of(main);
 }
 

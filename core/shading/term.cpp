@@ -22,6 +22,8 @@ constexpr TermInfo terms[] = {
      "behind."},
     {Term::specular, "specular", "Specular",
      "The light of one reflection at the facets: p N F/(4 g(k1) g(k2)) (eq. 26)."},
+    {Term::multibounce, "multibounce", "Bounces",
+     "The light of two or more reflections between the facets, in the model that the design has for it."},
     {Term::diffuse, "diffuse", "Diffuse",
      "The light that enters and leaves again elsewhere; for the coupled model what the specular term leaves "
      "over (eq. 27 to 30)."},
@@ -52,6 +54,21 @@ std::vector<std::string> term_names() {
     return names;
 }
 
-bool is_factor(Term term) { return term != Term::total && term != Term::specular && term != Term::diffuse; }
+bool is_factor(Term term) {
+    switch (term) {
+        case Term::total:
+        case Term::specular:
+        case Term::multibounce:
+        case Term::diffuse:
+            return false;
+        case Term::density:
+        case Term::masking1:
+        case Term::masking2:
+        case Term::fresnel:
+        case Term::inverse_areas:
+            return true;
+    }
+    return false;
+}
 
 }  // namespace nacre

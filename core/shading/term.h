@@ -13,6 +13,7 @@ namespace nacre {
 enum class Term {
     total,          // the BRDF, 1/sr
     specular,       // its specular term with its weight, 1/sr
+    multibounce,    // light of two or more bounces between facets, 1/sr
     diffuse,        // everything else, 1/sr
     density,        // p(h), 1/sr
     masking1,       // P(k1)

@@ -32,7 +32,10 @@ AlbedoValues sample_albedo(const Shading<double>& shading, const GridTable& tabl
     AlbedoValues sum{};
     for (int i = 0; i < samples; ++i) {
         const dvec3 k2 = cosine_sample(random);
-        const double full = shading.specular({k, g, dvec3{0}}, {k2, table.area(k2), dvec3{0}}).x;
+        const double full = shading
+                                .specular(Shading<double>::known_direction(k, g, dvec3{0}),
+                                          Shading<double>::known_direction(k2, table.area(k2), dvec3{0}))
+                                .x;
         sum[0] += full;
         sum[1] += full * Shading<double>::schlick_weight(std::fmin(0.5 * glm::length(k + k2), 1.0));
     }

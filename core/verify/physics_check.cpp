@@ -11,6 +11,7 @@
 #include "core/bake/brdf.h"
 #include "core/design/design_check.h"
 #include "core/verify/albedo_check.h"
+#include "core/verify/bounce_check.h"
 #include "core/verify/effort.h"
 #include "core/verify/facet_integral.h"
 #include "core/verify/sampling_check.h"
@@ -60,6 +61,7 @@ class PhysicsCheckRun {
         report(0.9);
         check_density();
         if (design_.specular.intensity > 1) check_intensity();
+        if (tables_->bounces) check_bounces();
         report(1);
         return result_;
     }
@@ -188,6 +190,15 @@ class PhysicsCheckRun {
         add("intensity", most, 1, most <= 1 ? Verdict::note : Verdict::fail,
             fmt::format("{}: the largest albedo of the whole BRDF, {} directions",
                         energy_note(design_.specular.intensity), total_directions));
+    }
+
+    // The albedo of the whole at F = 1 is 1; R's own error is one of what the bounces bring.
+    void check_bounces() {
+        const BounceCheck bounces = measure_bounces(*tables_, stop_);
+        const double bound = std::max(tables_->errors.albedo.worst, tables_->tolerance);
+        add("bounces", bounces.furnace, bound, verdict(bounces.furnace <= bound),
+            fmt::format("white furnace: worst |1 - R - what bounces bring| at F = 1, {} directions",
+                        bounces.directions));
     }
 
     const Design& design_;

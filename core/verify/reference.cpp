@@ -11,6 +11,7 @@
 #include "core/bake/stretched_grid.h"
 #include "core/bake/table_size.h"
 #include "core/shading/surface.h"
+#include "core/verify/bounce_oracle.h"
 
 namespace nacre {
 namespace {
@@ -43,6 +44,7 @@ Reference::Reference(const Design& design)
     channels_ = needs.fresnel_tables;
     round_ = needs.symmetry.symmetry == Symmetry::isotropic;
     reads_albedo_ = nacre::reads_albedo(design.diffuse);
+    bounces_ = has_bounces(design.multibounce);
     shading_.kinds.albedo = reads_albedo_;
 }
 
@@ -76,7 +78,10 @@ dvec3 Reference::design_albedo(const AlbedoValues& values) const {
 }
 
 Shading<double>::Direction Reference::direction(dvec3 k, std::stop_token stop) const {
-    return {k, projected_area(k), reads_albedo_ ? design_albedo(albedo(k, stop)) : dvec3{0}};
+    auto a = Shading<double>::known_direction(k, projected_area(k), dvec3{0});
+    if (reads_albedo_) a.R = design_albedo(albedo(k, stop));
+    if (reads_albedo_ && bounces_) a.M = BounceOracle(*this).albedo(k, {.walks = walks_}, stop).mean;
+    return a;
 }
 
 // Gauss-Legendre over theta, whose cosine weight hides the band near grazing where R turns, and the

@@ -31,7 +31,11 @@ class Reference {
     // The design's own R, one value a colour.
     dvec3 design_albedo(const AlbedoValues& values) const;
 
-    // The BRDF, 1/sr. The constant c of eq. 28 is 0 until prepare_coupling().
+    // Walks that the part of bounces in what a diffuse term leaves out comes from, a direction.
+    void set_walks(int walks) { walks_ = walks; }
+
+    // The BRDF, 1/sr, without its multiple bounces (bounce_oracle.h). The constant c of eq. 28 is 0 until
+    // prepare_coupling().
     Shading<double>::Direction direction(dvec3 k, std::stop_token stop = {}) const;
     const Shading<double>& shading() const { return shading_; }
 
@@ -53,6 +57,8 @@ class Reference {
     int channels_;
     bool round_;
     bool reads_albedo_;
+    bool bounces_;
+    int walks_ = 16384;
 };
 
 }  // namespace nacre

@@ -27,6 +27,7 @@ std::shared_ptr<const Tables> specular_only(const Tables& tables) {
     specular->shading = tables.shading;
     specular->shading.data = specular->data.data();
     specular->shading.kinds.diffuse = kind_index<Diffuse, NoDiffuse>();
+    specular->shading.kinds.multibounce = kind_index<Multibounce, NoMultibounce>();
     specular->shading.surface.ks = 1;
     return specular;
 }

@@ -62,7 +62,7 @@ dvec3 cosine_point(int i) {
 std::vector<DirectionShare> shares_at(const Brdf& brdf, dvec3 k1) {
     const FacetDistribution& distribution = *brdf.tables().distribution;
     const double g = distribution.projected_area(k1);
-    const bool with_cosine = brdf.diffuse_probability() > 0;
+    const bool with_cosine = brdf.cosine_probability() > 0;
     std::vector<DirectionShare> shares;
     auto add = [&](dvec3 k2, double points) {
         if (!(k2.z > 0)) return;

@@ -1,5 +1,8 @@
 // c albedo (1 - R(k1)) (1 - R(k2))                                           (Ashikhmin 2000, eq. 28)
 PURE real3 coupled_share(Direction a) {
+#if HAS_MULTIBOUNCE
+    a.R = a.R + a.M;
+#endif
     return max(real3(1.0) - a.R, real3(0.0));
 }
 

@@ -141,8 +141,14 @@ Direction direction(real3 k) READS {
     a.k = k;
     a.g = projected_area(k, spot);
     a.R = real3(0.0);
+#if HAS_MULTIBOUNCE
+    a.M = real3(0.0);
+#endif
 #if HAS_ALBEDO
     if (READS_ALBEDO) a.R = albedo_of(k, a.g, albedo_spot(k, spot));
+#endif
+#if HAS_MULTIBOUNCE
+    if (BOUNCES) a = with_bounces(a, albedo_spot(k, spot), clamped_part(k, a.g));
 #endif
     return a;
 }
@@ -159,11 +165,17 @@ EACH_DIFFUSE
 
 // The same of the whole BRDF: its albedo.
 real3 total_albedo(Direction a) READS {
+#if HAS_MULTIBOUNCE
+    if (BOUNCES) return (a.R + a.M) * surface.ks + diffuse_albedo(a);
+#endif
     return a.R * surface.ks + diffuse_albedo(a);
 }
 #endif
 
 real3 brdf_of(Direction a, Direction b) READS {
+#if HAS_MULTIBOUNCE
+    if (BOUNCES) return (specular(a, b) + multibounce(a, b)) * surface.ks + diffuse(a, b);
+#endif
     return specular(a, b) * surface.ks + diffuse(a, b);
 }
 

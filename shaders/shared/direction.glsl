@@ -3,6 +3,12 @@ struct Direction {
     real3 k;
     real g;    // eq. 18
     real3 R;   // eq. 29; 0 when no diffuse term reads it
+#if HAS_MULTIBOUNCE
+    real amplitude;  // a of a fitted model; see multibounce.glsl
+    real rest;       // e
+    real3 bounce_F;  // F(k) of light that bounces on
+    real3 M;         // albedo of two and more bounces
+#endif
 };
 
 // a/b of a, b >= 0, and the largest number where that is greater or b is 0; 0/b is 0 for every b.

@@ -40,6 +40,16 @@ struct TableShape {
     int area_offset;      // nodes_psi rows of nodes_w
     int albedo_offset;    // nodes_rho rows of nodes_v
     int residual_offset;  // the same, once or three times
+#if HAS_MULTIBOUNCE
+    int row_offset;         // at R's nodes: what a fitted model brings, over its amplitude
+    int factor_offset;      // at R's nodes: the mean Fresnel factor of light that bounces on, in BOUNCE_FACTORS tables
+    int spread_offset;      // at R's nodes: the same, times the factor at the other end, in as many
+    int whole_offset;       // at R's nodes: E where tints differ
+    int amplitude_offset;   // of a fitted model: its table over one direction
+    int sum_offset;         // over the sum of both
+    int difference_offset;  // and over their difference
+    int momentum_nodes;     // of these three, from 0 to 2
+#endif
 };
 
 struct Surface {
@@ -52,4 +62,9 @@ struct Surface {
     scalar ks;            // weight of the specular term: the design's intensity, times that of eq. 27
     scalar3 albedo;       // rho_d
     scalar3 coupling;     // the constant c of eq. 28, for each colour
+#if HAS_MULTIBOUNCE
+    scalar3 bounce_scale; // C of multibounce.glsl
+    scalar3 bounce_mean;  // F(k) in the mean over e
+    scalar bounce_even;   // 1/(pi <e>)
+#endif
 };

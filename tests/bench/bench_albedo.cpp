@@ -24,7 +24,7 @@ struct Setup {
         const Reference reference(design);
         for (int i = 0; i < directions; ++i) {
             const dvec3 k = test::polar(0.97 - 0.12 * i, 0.4 + 1.3 * i);
-            ks.push_back({k, tables->distribution->area(k).g, dvec3{0}});
+            ks.push_back(Shading<double>::known_direction(k, tables->distribution->area(k).g, dvec3{0}));
             const AlbedoValues values = reference.albedo(k);
             truth.emplace_back(values[0], values[1]);
         }

@@ -56,7 +56,7 @@ Cost monte_carlo_cost(const PaperGrid& grid, const Tables& tables) {
     for (int i = 0; i < probes; ++i) {
         const dvec3 k = nodes[(static_cast<std::size_t>(i) * 2 + 1) * nodes.size() / (2 * probes)];
         const double g = tables.distribution->area(k).g;
-        const Shading<double>::Direction k1{k, g, dvec3{0}};
+        const auto k1 = Shading<double>::known_direction(k, g, dvec3{0});
         Moments of_g, of_r;
         const double seconds_g = seconds_of([&] {
             for (int s = 0; s < samples; ++s) {

@@ -22,7 +22,8 @@ dvec2 AlbedoSampler::from_k2(const Shading<double>::Direction& k1, Random& rando
     const dvec3 h = glm::normalize(k1.k + k2);
     const double g2 = shading_.projected_area(k2, shading_.table_spot(k2));
     // rho c2 over 1/(2 pi)
-    const double value = 0.5 * pi * shading_.density(h) * shading_.visibility(k1, {k2, g2, dvec3{0}}) * k2.z;
+    const double value = 0.5 * pi * shading_.density(h) *
+                         shading_.visibility(k1, Shading<double>::known_direction(k2, g2, dvec3{0})) * k2.z;
     return both(value, glm::dot(k1.k, h));
 }
 
@@ -32,7 +33,8 @@ dvec2 AlbedoSampler::from_facet(const Shading<double>::Direction& k1, dvec3 h, d
     const dvec3 k2 = 2 * cosine * h - k1.k;
     if (k2.z <= 0 || weight <= 0) return dvec2{0};
     const double g2 = shading_.projected_area(k2, shading_.table_spot(k2));
-    return both(weight * shading_.visibility(k1, {k2, g2, dvec3{0}}) * k2.z, cosine);
+    return both(weight * shading_.visibility(k1, Shading<double>::known_direction(k2, g2, dvec3{0})) * k2.z,
+                cosine);
 }
 
 dvec2 AlbedoSampler::operator()(const Shading<double>::Direction& k1, Random& random) const {

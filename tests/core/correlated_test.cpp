@@ -58,7 +58,7 @@ std::vector<double> kinks_of(const Reference& reference, const Shading<double>::
 // Integral of rho c' over k' along its own meridians.
 double albedo_over_directions(const Reference& reference, dvec3 k1, int panels) {
     const Shading<double>& shading = reference.shading();
-    const Shading<double>::Direction a{k1, reference.projected_area(k1), dvec3{0}};
+    const auto a = Shading<double>::known_direction(k1, reference.projected_area(k1), dvec3{0});
     const double phi1 = std::atan2(k1.y, k1.x);
     double sum = 0;
     for (int half = 0; half < 2; ++half)
@@ -69,7 +69,10 @@ double albedo_over_directions(const Reference& reference, dvec3 k1, int panels) 
                     const dvec3 k2{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                                    std::cos(theta)};
                     sum += step * weight * std::sin(theta) * std::cos(theta) *
-                           shading.specular(a, {k2, reference.projected_area(k2), dvec3{0}}).x;
+                           shading
+                               .specular(a, Shading<double>::known_direction(k2, reference.projected_area(k2),
+                                                                             dvec3{0}))
+                               .x;
                 });
         });
     return sum;

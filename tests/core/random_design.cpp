@@ -163,6 +163,8 @@ Design random_design(const std::vector<Picture>& files) {
     design.shadowing.clamp = coin();
     design.fresnel = random_kind<Fresnel>();
     design.diffuse = random_kind<Diffuse>();
+    const bool may_bounce = design.shadowing.clamp && !std::holds_alternative<MetalDiffuse>(design.diffuse);
+    if (may_bounce && coin()) design.multibounce = random_kind<Multibounce>();
     if (coin()) design.specular.intensity = number(0, limits::intensity_max);
     return design;
 }

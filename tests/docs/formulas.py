@@ -57,6 +57,13 @@ numbers = np.array([line.split() for line in pairs], float).reshape(-1, 2, 3)
 numbers /= np.linalg.norm(numbers, axis=2, keepdims=True)
 
 
+def bounces_of(name, diffuse):
+    """In turn where they are allowed."""
+    if name.endswith("no-clamp") or diffuse == "metal":
+        return "none"
+    return of(kinds["multibounce"], sum(map(ord, name)))
+
+
 def check(design):
     tables = folder / design.stem
     subprocess.run([cli, "bake", design, "-o", tables, "--tolerance", "0.01"], check=True, stdout=subprocess.DEVNULL)
@@ -73,7 +80,7 @@ if sys.argv[4:]:
 for name, layers, masking, fresnel, diffuse in designs():
     design = folder / f"{name}.nacre"
     specular = {"specular": {"intensity": 2.5}} if name == "bright" else {}
-    design.write_text(json.dumps({"nacre": 2, "distribution": {"layers": layers}, **specular,
+    design.write_text(json.dumps({"nacre": 2, "distribution": {"layers": layers}, **specular, "multibounce": {"model": bounces_of(name, diffuse)},
                                   "shadowing": {"model": masking, "clamp": not name.endswith("no-clamp")},
                                   "fresnel": {"model": fresnel, **materials.get(fresnel, {})}, "diffuse": {"model": diffuse, **diffuses.get(diffuse, {})}}))
     check(design)

@@ -46,8 +46,14 @@ class Stranger:
         if "fresnel_curve" in self.known:
             self.known["fresnel_curve"] = functools.partial(rows_at, self.known["fresnel_curve"])
         self.known.update(turns=turns, F=self.fresnel, p=self.p, q=self.q, R=lambda k: self.direction(k)["R"])
-        for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual")):
+        for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual"), *((name, name) for name in ("whole", "factor", "brought", "spread"))):
             self.known[name] = lambda at, row, quantity=quantity: self.look_up(quantity, at, row)
+
+        for table in self.manifest["tables"]:
+            if table["quantity"] in ("sum", "difference"):
+                self.known[table["quantity"]] = lambda t, table=table: self.at_momentum(table, t)
+            if table["quantity"] == "amplitude":
+                self.known["amplitude"] = lambda x, y, table=table: self.at_momentum(table, (x, y))
 
     def value(self, expression, scope):
         if expression not in self.compiled:
@@ -110,13 +116,27 @@ class Stranger:
         value = bilinear(texels, at * (columns - 1), row, below)
         return value if len(value) > 1 else value[0]
 
+    def at_momentum(self, table, t):
+        """Of a vector along the surface, by what the table says of its axes."""
+        texels, (a, b) = self.pictures[table["file"]][:, :, 0], self.known["axis"]
+        x, y = a * t[0] + b * t[1], a * t[1] - b * t[0]
+        if "in the place of" in table["x"] and (x < 0 or x == 0 and y < 0):
+            x, y = -x, -y
+        rule = lambda said: said.split(" from ")[0].split(",")[0]
+        x, y = self.value(rule(table["x"]), {"x_prime": x, "y_prime": y}), self.value(rule(table["y"]) or "0", {"x_prime": x, "y_prime": y})
+        column, row = ((v + 2) / 4 * (n - 1) if "-2" in said else v / 2 * (n - 1)
+                       for v, n, said in ((x, texels.shape[1], table["x"]), (y, len(texels), table["y"])))
+        return bilinear(texels, min(column, texels.shape[1] - 1), row, min(int(row) + 1, len(texels) - 1))
+
     def brdf(self, k1, k2):
         if k1[2] <= 0 or k2[2] <= 0:
             return np.zeros(3)
         scope = {"k1": k1, "k2": k2}
         for index, k in (("1", k1), ("2", k2)):
             x, y = k[:2] if k[0] or k[1] else self.known["axis"]
-            scope.update({"g" + index: self.direction(k)["g"], "x" + index: x, "y" + index: y, "z" + index: k[2]})
+            own = self.direction(k)
+            scope.update({name + index: own[name] for name in ("g", "a", "e", "Fb") if name in own})
+            scope.update({"x" + index: x, "y" + index: y, "z" + index: k[2]})
         return np.broadcast_to(self.follow(self.manifest["brdf"], scope)["rho"], 3)
 
 

@@ -34,6 +34,7 @@ model lobes dome DomeLobe
 model fresnel tinted TintedFresnel
 model masking halved HalvedMasking
 model diffuse evenly EvenDiffuse
+model multibounce flat FlatMultibounce
 echo 'verb count:'
 add count_verb.cpp app/cli/count_verb.cpp
 line app/cli/verb_list.inc 'VERB(count)'
@@ -72,14 +73,15 @@ cmake --build --preset release --target nacre-cli nacre-test-core nacre-test-ui 
 
 cat >design.nacre <<'D'
 {
-  "nacre": 1,
+  "nacre": 2,
   "name": "More kinds",
   "distribution": {"layers": [
     {"lobe": "dome", "strength": 0.25},
     {"lobe": "ggx", "alpha_x": 0.1, "alpha_y": 0.3, "weight": 0.5}]},
   "shadowing": {"model": "halved"},
   "fresnel": {"model": "tinted", "tint": [0.9, 0.5, 0.1]},
-  "diffuse": {"model": "evenly", "albedo": [0.1, 0.2, 0.9]}
+  "diffuse": {"model": "evenly", "albedo": [0.1, 0.2, 0.9]},
+  "multibounce": {"model": "flat"}
 }
 D
 bin=build/release
@@ -88,10 +90,10 @@ refused() { ! $bin/nacre-cli info wrong.nacre 2>wrong.txt && has wrong.txt "$1";
 sed 's/0.25/2/' design.nacre >wrong.nacre && refused 'strength: must be a number from 0 to 1'
 sed 's/"strength"/"power"/' design.nacre >wrong.nacre && refused 'power'
 $bin/nacre-cli info design.nacre >info.txt
-for word in dome 'shadowing halved' 'fresnel tinted' 'diffuse evenly'; do has info.txt "$word"; done
+for word in dome 'shadowing halved' 'fresnel tinted' 'diffuse evenly' 'multiple bounces flat'; do has info.txt "$word"; done
 $bin/nacre-cli check design.nacre
 $bin/nacre-cli bake design.nacre -o tables
-for word in '"dome"' '1 - i + i z' '"tinted"' '"tint"' 'N/(G1 G2)/2' 'specular/2'; do has tables/manifest.json "$word"; done
+for word in '"dome"' '1 - i + i z' '"tinted"' '"tint"' 'N/(G1 G2)/2' 'specular/2' 'bounce_even e1 e2 1'; do has tables/manifest.json "$word"; done
 /usr/bin/python3 -B tests/docs/formulas.py $bin/nacre-cli . . design.nacre
 $bin/nacre-cli export design.nacre --to glsl -o brdf.glsl
 { echo '#version 330 core'; cat brdf.glsl; echo 'out vec4 c; void main() { c = vec4(nacre_brdf(vec3(0, 0, 1), vec3(0, 0, 1)), 1); }'; } >brdf.frag
@@ -121,7 +123,7 @@ for events in menu key; do
     has $events.nacre '"name": "Renamed"'
 done
 # Each stands in the sweep of extreme designs by itself.
-for case in 'dome 0' 'dome 1' 'fresnel tinted 0' 'fresnel tinted 1' 'halved' 'diffuse evenly 0'; do
+for case in 'dome 0' 'dome 1' 'fresnel tinted 0' 'fresnel tinted 1' 'halved' 'diffuse evenly 0' 'brushed, flat'; do
     $bin/nacre-cli check --extremes --case "$case" >extremes.txt
     has extremes.txt 'pass'
 done

@@ -41,6 +41,7 @@ struct ConductorFresnel {
                 .slider = {.ends = {0, 10}, .format = "%.3g"}}};
     }
 
+    static constexpr bool is_metal = true;
     static constexpr const char* formula =
         "u = eta^2 - k^2 - 1 + c^2; m = sqrt(u^2 + (2 eta k)^2); a = sqrt(max(0, (m + u)/2)); b = "
         "sqrt(max(0, (m - u)/2)); "

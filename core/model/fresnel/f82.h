@@ -50,6 +50,7 @@ struct F82Fresnel {
     static constexpr double weight82 = 7776.0 / 16807;
     static constexpr double dip82 = 46656.0 / 823543;
 
+    static constexpr bool is_metal = true;
     static constexpr const char* formula =
         "d = (f0 + (1 - f0) (6/7)^5) (1 - f82) 7 (7/6)^6; F = max(0, f0 + (1 - f0) (1 - c)^5 - d c (1 - "
         "c)^6)";

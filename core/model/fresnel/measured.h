@@ -33,6 +33,7 @@ struct MeasuredFresnel {
             .swatch = material_colour}};
     }
 
+    static constexpr bool is_metal = true;
     static constexpr const char* formula = curve_formula;
     static constexpr FresnelTables tables = FresnelTables::exact;
     static constexpr bool is_curve = true;

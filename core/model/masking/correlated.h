@@ -5,6 +5,7 @@
 #include "core/base/limits.h"
 #include "core/model/kinds/extreme_claims.h"
 #include "core/model/kinds/parameter.h"
+#include "core/model/masking/facet_walk.h"
 #include "core/model/masking/masking_bends.h"
 
 namespace nacre {
@@ -27,6 +28,7 @@ struct CorrelatedMasking {
         "V = (1 - t) N/(G1 G2) + t/max(G1 z2, G2 z1): where k = (0, 0, 1), `axis` in the place of (x, y)";
     static constexpr const char* part = "azimuth correlation t(phi)";
     static constexpr MaskingBends bends = MaskingBends::azimuth;
+    static constexpr FacetWalk walk = FacetWalk::uncorrelated;
     static constexpr auto parameters() {
         return std::tuple{NumberParameter<CorrelatedMasking>{
             .member = &CorrelatedMasking::width,

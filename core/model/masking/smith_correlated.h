@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "core/model/kinds/extreme_claims.h"
+#include "core/model/masking/facet_walk.h"
 #include "core/model/masking/masking_bends.h"
 
 namespace nacre {
@@ -22,6 +23,7 @@ struct SmithCorrelatedMasking {
         "p1 = min(1, N z1/G1); p2 = min(1, N z2/G2); V = N/(G1 G2)/(p1 + p2 - p1 p2)";
     static constexpr const char* part = "height correlation";
     static constexpr MaskingBends bends = MaskingBends::horizon;
+    static constexpr FacetWalk walk = FacetWalk::smith;
     static constexpr auto parameters() { return std::tuple{}; }
 
     double shader_width() const { return 1; }  // read by no one

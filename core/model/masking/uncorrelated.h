@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "core/model/masking/facet_walk.h"
 #include "core/model/masking/masking_bends.h"
 
 namespace nacre {
@@ -18,6 +19,7 @@ struct UncorrelatedMasking {
     static constexpr const char* formula = "V = N/(G1 G2)";
     static constexpr const char* part = nullptr;
     static constexpr MaskingBends bends = MaskingBends::none;
+    static constexpr FacetWalk walk = FacetWalk::uncorrelated;
     static constexpr auto parameters() { return std::tuple{}; }
 
     double shader_width() const { return 1; }  // read by no one
