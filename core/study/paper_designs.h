@@ -1,0 +1,27 @@
+// The surfaces of the paper's figures, with the parameters that it gives.
+#pragma once
+
+#include "core/design/design.h"
+
+namespace nacre {
+
+// One Gaussian of eq. 34, F = 1 and nothing diffuse.
+Design paper_gaussian(double sigma_x, double sigma_y);
+
+Design paper_golden();           // fig. 5: (0.1, 1), f0 of gold, the diffuse term of a metal
+Design paper_painted_plastic();  // fig. 7: (0.1, 0.2), f0 = 0.05, coupled diffuse term of gold paint
+glm::dvec3 gold_paint();         // the albedo of the latter
+
+// Sec. 6.2: two Gaussians of 0.1 whose normals are 40 degrees apart; `azimuth` is across the grooves.
+Design paper_grooves(double azimuth);
+
+Design paper_satin(const glm::dvec3& albedo);   // sec. 6.3
+Design paper_velvet(const glm::dvec3& albedo);  // sec. 6.4: eq. 35 of 0.5 with the shadowing of eq. 14
+
+// Sec. 6.4: a cylinder of 0.5 tilted by 40 degrees, N doubled, in the paper's own form.
+Design paper_slanted_velvet(const glm::dvec3& albedo);
+
+// Sec. 6.5: a Gaussian multiplied by one of the built-in stamps, upright on a sphere.
+Design paper_unusual(const char* stamp, const glm::dvec3& f0);
+
+}  // namespace nacre

@@ -1,0 +1,44 @@
+#include "core/study/paper_grid.h"
+
+#include "core/model/polar_angles.h"
+
+namespace nacre {
+namespace {
+
+constexpr int steps = 180;  // of half a degree
+
+template <class ErrorOf>
+WorstError worst_of(const Tables& tables, const std::stop_token& stop, const ErrorOf& error_of) {
+    WorstError worst;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j <= steps; ++j) {
+            if (stop.stop_requested()) throw BakeCancelled();
+            const double theta = 90.0 * i / steps, phi = 90.0 * j / steps;
+            const dvec3 k = polar_direction(theta, phi);
+            const double error = error_of(k, tables.distribution->area(k).g);
+            if (!(error <= worst.error)) worst = {error, theta, phi};
+        }
+    return worst;
+}
+
+}  // namespace
+
+GridTable paper_table(const FacetDistribution& p, PaperPoints points, const std::stop_token& stop) {
+    const int azimuths = points == PaperPoints::over_quarter ? 4 * (paper_azimuths - 1) : paper_azimuths;
+    GridTable table(PlainGrid(paper_polar, azimuths, {Symmetry::quarter, 0}));
+    table.fill_area([&](int, dvec3 k) { return p.area(k).g; }, stop);
+    return table;
+}
+
+WorstError worst_error(const Tables& tables, const GridTable& table, const std::stop_token& stop) {
+    return worst_of(tables, stop, [&](dvec3 k, double exact) {
+        return area_error(tables.shading, k, table.area(k), exact);
+    });
+}
+
+WorstError worst_error(const Tables& tables, const std::stop_token& stop) {
+    return worst_of(tables, stop,
+                    [&](dvec3 k, double exact) { return area_error(tables.shading, k, exact); });
+}
+
+}  // namespace nacre
