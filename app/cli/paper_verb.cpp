@@ -67,12 +67,13 @@ std::vector<MadePart> make_parts(const PaperOptions& options, const Interrupt& i
             wanted.push_back(part);
     const auto context = make_offscreen_context({16, 16});
     PreviewRenderer renderer;
+    Baker baker;
     std::vector<MadePart> made;
     Progress progress("the paper");
     for (const PaperPart* part : wanted) {
         progress.report(static_cast<double>(made.size()) / static_cast<double>(wanted.size()));
         interrupt.check();
-        made.push_back({part, part->make({renderer, options.size, interrupt.token()})});
+        made.push_back({part, part->make({renderer, baker, options.size, interrupt.token()})});
     }
     return made;
 }

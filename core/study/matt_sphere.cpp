@@ -12,7 +12,7 @@ namespace nacre {
 namespace {
 
 constexpr double radius_part = 0.42;  // of the picture's shorter side
-constexpr double wall = 0.045;        // radiance
+constexpr double wall = 0.02;         // radiance
 constexpr int points = 2;             // along each side of a pixel
 
 // Toward the viewer, of a surface of that normal; view space.

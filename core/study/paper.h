@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bake/baker.h"
 #include "core/compare/comparison_model.h"
 
 namespace nacre {
@@ -38,6 +39,7 @@ class PaperRenderer {
 
 struct PaperTools {
     PaperRenderer& renderer;
+    Baker& baker;     // designs that differ in colour share their tables
     glm::ivec2 size;  // of each picture
     std::stop_token stop;
 };

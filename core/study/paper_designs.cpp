@@ -1,8 +1,11 @@
 #include "core/study/paper_designs.h"
 
+#include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "core/image/area_average.h"
 #include "core/paint/stamps.h"
 
 namespace nacre {
@@ -26,6 +29,19 @@ Design of_layers(std::vector<Layer> layers, Fresnel fresnel, Diffuse diffuse) {
     design.fresnel = std::move(fresnel);
     design.diffuse = std::move(diffuse);
     return design;
+}
+
+// The picture at about half its size, black around it.
+std::shared_ptr<const Raster> in_the_middle(const Raster& picture) {
+    const Raster small = area_average(picture, picture.width / 2);
+    auto whole = std::make_shared<Raster>();
+    whole->width = whole->height = picture.width;
+    whole->values.resize(picture.values.size());
+    const int first = picture.width / 4;
+    for (int row = 0; row < small.height; ++row)
+        std::copy_n(small.values.begin() + row * small.width, small.width,
+                    whole->values.begin() + (first + row) * whole->width + first);
+    return whole;
 }
 
 }  // namespace
@@ -73,13 +89,22 @@ Design paper_slanted_velvet(const glm::dvec3& albedo) {
     return design;
 }
 
+Design slanted_mirrors(double mean_cosine_scale, bool clamp) {
+    Design design = paper_slanted_velvet(glm::dvec3{0});
+    design.distribution.mean_cosine_scale = mean_cosine_scale;
+    design.shadowing.clamp = clamp;
+    design.fresnel = NoFresnel{};
+    design.diffuse = NoDiffuse{};
+    return design;
+}
+
 Design paper_unusual(const char* stamp, const glm::dvec3& f0) {
     for (const NamedStamp& known : built_in_stamps()) {
         if (known.name != stamp) continue;
         Layer layer = layer_of(GaussianLobe{0.9, 0.9});
         // A sphere shows p upside down.
         layer.rotation = 180;
-        layer.modulation = Modulation{{{}, known.picture}, 1};
+        layer.modulation = Modulation{{{}, in_the_middle(*known.picture)}, 1};
         return of_layers({std::move(layer)}, SchlickFresnel{f0}, MetalDiffuse{});
     }
     throw std::logic_error("no stamp of that name");

@@ -21,7 +21,10 @@ Design paper_velvet(const glm::dvec3& albedo);  // sec. 6.4: eq. 35 of 0.5 with 
 // Sec. 6.4: a cylinder of 0.5 tilted by 40 degrees, N doubled, in the paper's own form.
 Design paper_slanted_velvet(const glm::dvec3& albedo);
 
-// Sec. 6.5: a Gaussian multiplied by one of the built-in stamps, upright on a sphere.
+// The same of perfect mirrors, and nothing diffuse; the paper's has N times 2 and no clamp.
+Design slanted_mirrors(double mean_cosine_scale, bool clamp);
+
+// Sec. 6.5: a Gaussian multiplied by one of the built-in stamps at half its size, upright on a sphere.
 Design paper_unusual(const char* stamp, const glm::dvec3& f0);
 
 }  // namespace nacre

@@ -24,8 +24,10 @@ WorstError worst_of(const Tables& tables, const std::stop_token& stop, const Err
 }  // namespace
 
 GridTable paper_table(const FacetDistribution& p, PaperPoints points, const std::stop_token& stop) {
-    const int azimuths = points == PaperPoints::over_quarter ? 4 * (paper_azimuths - 1) : paper_azimuths;
-    GridTable table(PlainGrid(paper_polar, azimuths, {Symmetry::quarter, 0}));
+    const bool steep = points == PaperPoints::polar_20_quarter;
+    const int polar = steep ? paper_azimuths : paper_polar, azimuths = steep ? paper_polar : paper_azimuths;
+    const int round = points == PaperPoints::polar_10_hemisphere ? azimuths : 4 * (azimuths - 1);
+    GridTable table(PlainGrid(polar, round, {Symmetry::quarter, 0}));
     table.fill_area([&](int, dvec3 k) { return p.area(k).g; }, stop);
     return table;
 }

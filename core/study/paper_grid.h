@@ -8,9 +8,9 @@
 
 namespace nacre {
 
-// Where the paper's 200 points lie: it does not say whether an anisotropic Gaussian has them over the
-// hemisphere or over the quarter that it says suffices.
-enum class PaperPoints { over_quarter, over_hemisphere };
+// Where the paper's 200 points may lie. It says neither how many there are along theta nor whether an
+// anisotropic Gaussian has them over the hemisphere or over the quarter that suffices.
+enum class PaperPoints { polar_20_quarter, polar_10_quarter, polar_10_hemisphere };
 
 // g as stored there, exact at the points, of a p with two mirror planes through the axes.
 GridTable paper_table(const FacetDistribution& p, PaperPoints points, const std::stop_token& stop);

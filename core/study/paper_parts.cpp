@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "core/bake/bake.h"
 #include "core/formats/plot_files.h"
 #include "core/image/image_file.h"
 #include "core/study/ward.h"
@@ -25,13 +24,13 @@ Plot curve_plot(std::string title, std::string subtitle, CurvePlot curves) {
 }
 
 PaperImage draw_design(const PaperTools& tools, const Design& design, const PaperView& view) {
-    return tools.renderer.draw({bake(design, {}, tools.stop), nullptr}, view, tools.size);
+    return tools.renderer.draw({tools.baker.bake(design, {}, tools.stop), nullptr}, view, tools.size);
 }
 
 PaperImage draw_ward(const PaperTools& tools, const Design& design, dvec2 alpha, const PaperView& view) {
     auto ward = std::make_shared<ClosedForm>();
     ward->form = ward_form(alpha);
-    return tools.renderer.draw({bake(design, {}, tools.stop), std::move(ward)}, view, tools.size);
+    return tools.renderer.draw({tools.baker.bake(design, {}, tools.stop), std::move(ward)}, view, tools.size);
 }
 
 std::string percent_text(double part) {

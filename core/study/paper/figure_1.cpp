@@ -49,9 +49,12 @@ PaperResult make(const PaperTools& tools) {
                                   "differs from the first by "
                                   "{:.0f} of 255 at the most: the highlight stays.",
                                   farthest(before, draw_design(tools, star, turned))),
-                      "The paper does not say which pictures it took. Ours are two of Nacre's stamps, one "
-                      "symmetric and one not. R is "
-                      "measured without Nacre's clamp, in the paper's own form."};
+                      "A symmetric p creates no energy, as the paper says. A leaning one may: what the paper "
+                      "noticed is not a rule. "
+                      "Nacre keeps P at most 1 unless told otherwise, and then no p does; R in the table is "
+                      "without that, in the "
+                      "paper's own form.",
+                      "The paper does not say which pictures it took. Ours are two of Nacre's stamps."};
     return result;
 }
 

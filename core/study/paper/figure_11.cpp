@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-constexpr glm::dvec3 satin_albedo{0.42, 0.02, 0.06}, velvet_albedo{0.05, 0.006, 0.02};
+constexpr glm::dvec3 satin_albedo{0.12, 0.006, 0.018}, velvet_albedo{0.008, 0.0008, 0.003};
 
 // Back toward the light, under eq. 14 and under eq. 13; the specular term.
 PaperTable return_table(const PaperTools& tools) {
@@ -24,14 +24,14 @@ PaperTable return_table(const PaperTools& tools) {
         const dvec3 k = polar_direction(theta, 0);
         const double product = uncorrelated.evaluate(k, k, Term::specular).y;
         const double here = correlated.evaluate(k, k, Term::specular).y;
-        table.rows.push_back({fmt::format("\u03b8 = {:.0f}\u00b0", theta), fmt::format("{:.4f}", product),
-                              fmt::format("{:.4f}", here), fmt::format("{:.2f}", here / product)});
+        table.rows.push_back({fmt::format("\u03b8 = {:.0f}\u00b0", theta), fmt::format("{:.2g}", product),
+                              fmt::format("{:.2g}", here), fmt::format("{:.2f}", here / product)});
     }
     return table;
 }
 
 PaperResult make(const PaperTools& tools) {
-    const PaperView view{.object = "tablecloth", .theta = 40, .phi = 120, .zoom = 1.1, .exposure = 0.7};
+    const PaperView view{.object = "tablecloth", .theta = 18, .phi = 120, .zoom = 1.1, .exposure = 2};
     PaperResult result;
     result.pictures = {png_picture("figure-11-satin", "satin: 0.7 cylinders of 0.1 and 0.3 of 0.3",
                                    draw_design(tools, paper_satin(satin_albedo), view)),

@@ -1,8 +1,8 @@
 // Slanted velvet in two colours.
 #include <fmt/core.h>
 
-#include "core/bake/bake.h"
 #include "core/bake/brdf.h"
+#include "core/image/luminance.h"
 #include "core/model/polar_angles.h"
 #include "core/study/paper_designs.h"
 #include "core/study/paper_parts.h"
@@ -10,28 +10,28 @@
 namespace nacre {
 namespace {
 
-constexpr glm::dvec3 blue{0.006, 0.014, 0.1}, red{0.13, 0.004, 0.01};
+constexpr glm::dvec3 blue{0.003, 0.007, 0.05}, red{0.06, 0.002, 0.005};
 
 // Light and viewer in one direction, on slopes to either side.
 PaperTable side_table(const PaperTools& tools) {
-    const Brdf brdf(bake(paper_slanted_velvet(blue), {}, tools.stop));
+    const Brdf brdf(tools.baker.bake(paper_slanted_velvet(blue), {}, tools.stop));
     PaperTable table{
-        {"specular radiance, light and viewer above", "fibres lean toward it", "away from it", "ratio"}, {}};
+        {"blue, light and viewer in one place: luminance", "fibres lean toward it", "away from it", "ratio"},
+        {}};
     for (const double theta : {20.0, 40.0, 60.0}) {
         const auto radiance = [&](double phi) {
             const dvec3 k = polar_direction(theta, phi);
-            return brdf.evaluate(k, k, Term::specular).y * k.z;
+            return luminance(brdf.evaluate(k, k)) * k.z;
         };
         const double toward = radiance(0), away = radiance(180);
         table.rows.push_back({fmt::format("slope of {:.0f}\u00b0", theta), fmt::format("{:.4f}", toward),
-                              fmt::format("{:.2g}", away),
-                              away > 0 ? fmt::format("{:.3g}", toward / away) : "-"});
+                              fmt::format("{:.4f}", away), fmt::format("{:.2f}", toward / away)});
     }
     return table;
 }
 
 PaperResult make(const PaperTools& tools) {
-    const PaperView view{.object = "tablecloth", .theta = 12, .phi = 90, .zoom = 1.1, .exposure = 0.8};
+    const PaperView view{.object = "tablecloth", .theta = 12, .phi = 90, .zoom = 1.1, .exposure = 1.5};
     PaperResult result;
     result.pictures = {
         png_picture("figure-13-blue", "midnight blue", draw_design(tools, paper_slanted_velvet(blue), view)),

@@ -36,15 +36,15 @@ PaperResult make(const PaperTools& tools) {
                     draw_design(tools, paper_golden(), view))};
     result.tables = {highlight_table(tools)};
     result.remarks = {
-        "The shape of the highlight is the same, and the model's is brighter where light or eye lean; the "
-        "metal's "
-        "diffuse term fills the rest of the sphere, which stays black with Ward's, as the paper shows. "
-        "Ward's "
-        "reflectance is a constant; here both have Schlick's factor, so that only the highlight differs.",
-        "At the normal eq. 34 of \u03c3 = (0.1, 1) is wider than a Gaussian of slopes of the same widths, "
-        "whose facets "
-        "Ward's are in effect: there the model's peak is a little lower or higher by that alone (the "
-        "table)."};
+        "The shape of the highlight is nearly the same, and the model's is brighter. The metal's diffuse "
+        "term fills the "
+        "rest of the sphere, which stays black with Ward's. Ward's reflectance is a constant; here both have "
+        "Schlick's "
+        "factor, so that only the highlight differs.",
+        "The model's peak is higher at the normal already, because eq. 34 has fewer steep facets than the "
+        "Gaussian of "
+        "slopes that Ward's formula stands for; as light and eye lean, Ward's loses energy besides (fig. "
+        "6)."};
     return result;
 }
 

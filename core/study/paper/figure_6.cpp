@@ -68,7 +68,15 @@ PaperResult make(const PaperTools& tools) {
     result.pictures = {svg_picture("figure-6-x", "along the narrow width", albedo_plot(ours, 0, tools.stop)),
                        svg_picture("figure-6-y", "along the wide width", albedo_plot(ours, 90, tools.stop))};
     result.tables = {albedo_table(ours)};
+    double least = 1;
+    for (int theta = 0; theta < 90; ++theta)
+        for (const double phi : {0.0, 90.0})
+            least = std::min(least, ours.albedo(polar_direction(theta, phi)).x);
     result.remarks = {
+        fmt::format("The model's R stays between {:.2f} and 1: what is missing near grazing is light that "
+                    "meets a second "
+                    "facet, which eq. 26 leaves out.",
+                    least),
         "Ward's published R falls about as the cosine and turns up only at grazing itself, where it has no "
         "bound: "
         "that is the point that the paper could not draw and extrapolated.",

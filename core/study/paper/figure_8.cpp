@@ -62,7 +62,7 @@ Plot profile(const Surfaces& all, const PaperView& view, const std::stop_token& 
                 });
     plot.x = angle_axis("angle of the normal from the viewer, toward the light", -90, 90);
     plot.y = {.title = "radiance over that of white paper", .unit = "", .low = 0, .high = 1.2};
-    return curve_plot("Across the sphere through the light's highlight",
+    return curve_plot("Across the sphere in the plane of the light",
                       fmt::format("white facets, light {:.0f}\u00b0 from the viewer", view.theta),
                       std::move(plot));
 }
@@ -89,7 +89,7 @@ PaperResult make(const PaperTools& tools) {
                        [&](dvec3 k1, dvec3 k2) { return theirs.full(k1, k2); },
                        [&](dvec3 k1, dvec3 k2) { return theirs.once(k1, k2); },
                        [&](dvec3 k1, dvec3 k2) { return facets.brdf(k1, k2); }};
-    const PaperView view{.theta = 25, .phi = 135};
+    const PaperView view{.theta = 15, .phi = 135};
     PaperResult result;
     result.pictures = {
         png_picture("figure-8-oren-nayar", "Oren-Nayar, full functions",
