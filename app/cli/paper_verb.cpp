@@ -79,8 +79,11 @@ std::vector<MadePart> make_parts(const PaperOptions& options, const Interrupt& i
 }
 
 int paper(const PaperOptions& options, Interrupt& interrupt) {
-    const OutputFolder folder(options.folder);
+    // Whether it can be had, at once; then again when there is something to put there, since a stop while a
+    // picture is drawn ends the program as it is.
+    { const OutputFolder trial(options.folder); }
     const std::vector<MadePart> made = make_parts(options, interrupt);
+    const OutputFolder folder(options.folder);
     const std::string page = paper_page(made);
     // The page comes last: it describes the others.
     std::vector<FileToWrite> files;

@@ -82,17 +82,18 @@ Design paper_velvet(const glm::dvec3& albedo) {
 }
 
 Design paper_slanted_velvet(const glm::dvec3& albedo) {
-    Design design = of_layers({layer_of(GaussianLobe{0.5, limits::infinity}, 1, 40)},
+    Design design = of_layers({layer_of(GaussianLobe{0.5, limits::infinity}, 1, slanted_lean)},
                               SchlickFresnel{dielectric}, CoupledDiffuse{albedo});
     design.distribution.mean_cosine_scale = 2;
     design.shadowing = {CorrelatedMasking{15}, false};
     return design;
 }
 
-Design slanted_mirrors(double mean_cosine_scale, bool clamp) {
+Design slanted_mirrors(const SlantedMirrors& how) {
     Design design = paper_slanted_velvet(glm::dvec3{0});
-    design.distribution.mean_cosine_scale = mean_cosine_scale;
-    design.shadowing.clamp = clamp;
+    design.distribution.layers.front().tilt = how.lean;
+    design.distribution.mean_cosine_scale = how.mean_cosine_scale;
+    design.shadowing.clamp = how.clamp;
     design.fresnel = NoFresnel{};
     design.diffuse = NoDiffuse{};
     return design;

@@ -1,19 +1,29 @@
 #include "core/study/paper_grid.h"
 
+#include <vector>
+
 #include "core/model/polar_angles.h"
 
 namespace nacre {
 namespace {
 
-constexpr int steps = 180;  // of half a degree
+// Degrees from 0 to 90 by halves, and ever closer together below the first of them: g of a narrow p bends
+// within less than that of the horizon and of the narrow axis.
+std::vector<double> crowded_angles() {
+    std::vector<double> angles{0};
+    for (double angle = 1e-3; angle < 0.5; angle *= 1.4) angles.push_back(angle);
+    for (int i = 1; i <= 180; ++i) angles.push_back(0.5 * i);
+    return angles;
+}
 
 template <class ErrorOf>
 WorstError worst_of(const Tables& tables, const std::stop_token& stop, const ErrorOf& error_of) {
     WorstError worst;
-    for (int i = 0; i < steps; ++i)
-        for (int j = 0; j <= steps; ++j) {
+    const std::vector<double> angles = crowded_angles();
+    for (const double elevation : angles)
+        for (const double phi : angles) {
             if (stop.stop_requested()) throw BakeCancelled();
-            const double theta = 90.0 * i / steps, phi = 90.0 * j / steps;
+            const double theta = 90 - elevation;
             const dvec3 k = polar_direction(theta, phi);
             const double error = error_of(k, tables.distribution->area(k).g);
             if (!(error <= worst.error)) worst = {error, theta, phi};

@@ -20,7 +20,7 @@ struct WorstError {
     double theta = 0, phi = 0;  // degrees: where
 };
 
-// The largest of a table, over a quarter of the hemisphere at steps of half a degree.
+// The largest of a table, over a quarter of the hemisphere at steps of half a degree and less.
 WorstError worst_error(const Tables& tables, const GridTable& table, const std::stop_token& stop);
 WorstError worst_error(const Tables& tables, const std::stop_token& stop);  // of the tables themselves
 

@@ -46,14 +46,12 @@ PaperResult make(const PaperTools& tools) {
     result.tables = {{{"p", "mean normal leans by", "largest R, F = 1", "directions with R > 1"},
                       {row_of("star", star, tools), row_of("heart", heart, tools)}}};
     result.remarks = {fmt::format("Turned by 65\u00b0 about its axis, the star's sphere makes a picture that "
-                                  "differs from the first by "
-                                  "{:.0f} of 255 at the most: the highlight stays.",
+                                  "differs from the first by {:.0f} of 255 at the most: the highlight "
+                                  "stays.",
                                   farthest(before, draw_design(tools, star, turned))),
-                      "A symmetric p creates no energy, as the paper says. A leaning one may: what the paper "
-                      "noticed is not a rule. "
-                      "Nacre keeps P at most 1 unless told otherwise, and then no p does; R in the table is "
-                      "without that, in the "
-                      "paper's own form.",
+                      "A symmetric p creates no energy, as the paper says. A leaning one may: what the "
+                      "paper noticed is not a rule. Nacre keeps P at most 1 unless told otherwise, and "
+                      "then no p does; R in the table is without that, in the paper's own form.",
                       "The paper does not say which pictures it took. Ours are two of Nacre's stamps."};
     return result;
 }
@@ -66,11 +64,11 @@ const PaperPart figure_1_part{
     .where = "fig. 1, sec. 6.5",
     .says =
         "The only illumination is a small distant source, and the highlights will stay unchanged if the "
-        "spheres "
-        "rotate about the axes through their north and south poles. As long as the modulation is symmetric "
-        "enough to keep the average vector in the normal direction, the BRDF will be energy conserving. In "
-        "practice we notice that as long as this effect is not very strong, the energy conservation is not "
-        "affected.",
+        "spheres rotate about the axes through their north and south poles. ... As long as the "
+        "modulation is symmetric enough to keep the average vector in the normal direction (such as the "
+        "distribution used for the image on the left of Figure 1), the BRDF will be energy conserving. A "
+        "more general modulation may result in (h) no longer parallel to n but in practice we notice "
+        "that as long as this effect is not very strong, the energy conservation is not affected.",
     .make = make};
 
 }  // namespace nacre

@@ -40,11 +40,9 @@ PaperResult make(const PaperTools& tools) {
     result.tables = {return_table(tools)};
     result.remarks = {
         "The cloth is Nacre's own, fallen over a round table; the paper's is another simulation. Neither "
-        "albedo is in "
-        "the paper.",
+        "albedo is in the paper.",
         "With f0 = 5 % velvet's sheen is faint beside what light that goes from fibre to fibre would add; "
-        "the preset "
-        "Velvet has a higher, coloured f0 for that."};
+        "the preset Velvet has a higher, coloured f0 for that."};
     return result;
 }
 
@@ -55,10 +53,9 @@ const PaperPart figure_11_part{
     .title = "Figure 11: satin and velvet",
     .where = "fig. 11, sec. 6.3 and 6.4",
     .says =
-        "Synthetic satin (left) and velvet (right) tablecloths. The geometries are identical. Because "
-        "retroreflection is one of the most pronounced reflection properties of velvet, we used the "
-        "correlated "
-        "form of shadowing term (Equation 14).",
+        "Synthetic satin (left) and velvet (right) tablecloths. The geometries are identical. ... "
+        "Because retroreflection is one of the most pronounced reflection properties of velvet, we used "
+        "the correlated form of shadowing term (Equation 14)",
     .make = make};
 
 }  // namespace nacre

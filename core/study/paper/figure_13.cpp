@@ -39,11 +39,10 @@ PaperResult make(const PaperTools& tools) {
     result.tables = {side_table(tools)};
     result.remarks = {
         "Both are in the paper's own form: N doubled by hand and P not kept below 1, so that this surface "
-        "creates "
-        "energy (see below). The presets Slanted velvet keep P at most 1.",
+        "creates energy (see below). The presets Slanted velvet keep P at most 1, and their fibres' sides "
+        "lean by 40\u00b0 in place of 50.",
         "As the paper says of its own right picture, the dark side of red velvet shows the plain diffuse "
-        "term; in "
-        "real velvet light that has met several red fibres is a deep, dark red there."};
+        "term; in real velvet light that has met several red fibres is a deep, dark red there."};
     return result;
 }
 
@@ -54,10 +53,9 @@ const PaperPart figure_13_part{
     .title = "Figure 13: slanted velvet of two colours",
     .where = "fig. 13, sec. 6.4",
     .says =
-        "The illumination and viewing directions are almost parallel but due to the slant of the fibers the "
-        "left "
-        "side of the tablecloth is substantially brighter than the right one. The right side of the red "
-        "tablecloth does not look as it does for the real velvet.",
+        "The illumination and viewing directions are almost parallel but due to the slant of the fibers "
+        "the left side of the tablecloth is substantially brighter than the right one. ... The right "
+        "side of the red tablecloth does not look as it does for the real velvet.",
     .make = make};
 
 }  // namespace nacre

@@ -37,14 +37,11 @@ PaperResult make(const PaperTools& tools) {
     result.tables = {highlight_table(tools)};
     result.remarks = {
         "The shape of the highlight is nearly the same, and the model's is brighter. The metal's diffuse "
-        "term fills the "
-        "rest of the sphere, which stays black with Ward's. Ward's reflectance is a constant; here both have "
-        "Schlick's "
-        "factor, so that only the highlight differs.",
+        "term fills the rest of the sphere, which stays black with Ward's. Ward's reflectance is a "
+        "constant; here both have Schlick's factor, so that only the highlight differs.",
         "The model's peak is higher at the normal already, because eq. 34 has fewer steep facets than the "
-        "Gaussian of "
-        "slopes that Ward's formula stands for; as light and eye lean, Ward's loses energy besides (fig. "
-        "6)."};
+        "Gaussian of slopes that Ward's formula stands for; as light and eye lean, Ward's loses energy "
+        "besides (fig. 6)."};
     return result;
 }
 
@@ -56,10 +53,9 @@ const PaperPart figure_5_part{
     .where = "fig. 5, sec. 6.1",
     .says =
         "Note that the shape of highlight is nearly identical while there are some differences in the "
-        "diffuse "
-        "part. For our metal sphere the diffuse component appears automatically when there is enough energy "
-        "left after single-bounce scattering. This figure also shows that the highlight is brighter for our "
-        "BRDF.",
+        "diffuse part of images ... In particular, for our metal sphere on Figure 5 the diffuse "
+        "component appears automatically when there is enough energy left after single-bounce "
+        "scattering. ... This figure also shows that the highlight is brighter for our BRDF.",
     .make = make};
 
 }  // namespace nacre

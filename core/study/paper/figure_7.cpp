@@ -16,9 +16,8 @@ PaperResult make(const PaperTools& tools) {
                        png_picture("figure-7-here", "the model: eq. 26 and 30",
                                    draw_design(tools, paper_painted_plastic(), view))};
     result.remarks = {
-        "The two highlights cannot be told apart. The diffuse part differs near the edge and the shadow: the "
-        "coupled "
-        "term of eq. 30 fades where the highlight takes more, the Lambertian one does not.",
+        "The two highlights cannot be told apart. The diffuse part differs near the edge and the shadow: "
+        "the coupled term of eq. 30 fades where the highlight takes more, the Lambertian one does not.",
         "The paper does not give the colour of its paint; here it is (0.72, 0.43, 0.08), linear."};
     return result;
 }
@@ -31,9 +30,8 @@ const PaperPart figure_7_part{
     .where = "fig. 7, sec. 6.1",
     .says =
         "Note that the shape of highlight is nearly identical while there are some differences in the "
-        "diffuse "
-        "part of images which is due to Ward effectively using a simpler form (Equation 27) of the diffuse "
-        "component.",
+        "diffuse part of images which is due to Ward effectively using a simpler form (Equation 27) of "
+        "the diffuse component.",
     .make = make};
 
 }  // namespace nacre

@@ -105,29 +105,26 @@ PaperResult make(const PaperTools& tools) {
                        {"Lambert", fmt::format("{:.3f}", apart(all.here, all.lambert))}}}};
     result.remarks = {
         "Nacre has no such facets among its models: this sphere is direct integration, eq. 33 summed for "
-        "each of its "
-        "pixels over 8,192 facets of eq. 34's p, and not the preview's picture of a design.",
+        "each of its pixels over 8,192 facets of eq. 34's p, and not the preview's picture of a design.",
         fmt::format("The paper does not give the compatible parameters. Here \u03c3\u00b2 = "
-                    "\u222b\u03b8\u00b2p/(2\u222bp), "
-                    "facets as steep in the mean square: \u03c3 = {:.1f}\u00b0 for eq. 34 of 1.0.",
+                    "\u222b\u03b8\u00b2p/(2\u222bp), facets as steep in the mean square: \u03c3 = "
+                    "{:.1f}\u00b0 for eq. 34 of 1.0.",
                     sigma * (180 / pi)),
         "Oren and Nayar's full functions hold one interreflection, which eq. 33 leaves out: that is why "
-        "theirs is the "
-        "brighter sphere. Without it the two are close."};
+        "theirs is the brighter sphere. Without it the two are close."};
     return result;
 }
 
 }  // namespace
 
-const PaperPart figure_8_part{.name = "figure-8",
-                              .title = "Figure 8: matt facets, \u03c3 = 1.0",
-                              .where = "fig. 8, sec. 5.4 and 6.1",
-                              .says =
-                                  "Gaussian spheres with Lambertian microfacets. Right: new model with "
-                                  "\u03c3x = \u03c3y = 1.0. Left: Oren-Nayar "
-                                  "with compatible parameters. Both BRDFs have the tendency to make objects "
-                                  "appear \u201cflatter\u201d than the "
-                                  "Lambertian BRDF due to increased retroreflection.",
-                              .make = make};
+const PaperPart figure_8_part{
+    .name = "figure-8",
+    .title = "Figure 8: matt facets, \u03c3 = 1.0",
+    .where = "fig. 8, sec. 5.4 and 6.1",
+    .says =
+        "Gaussian spheres with Lambertian microfacets. Right: new model with \u03c3x = \u03c3y = 1.0. "
+        "Left: Oren-Nayar with compatible parameters. ... Both BRDFs have the tendency to make objects "
+        "appear \u2018flatter\u2019 than the Lambertian BRDF due to increased retroreflection.",
+    .make = make};
 
 }  // namespace nacre

@@ -1,6 +1,8 @@
 // The error of the paper's table of g, which it does not give.
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "core/bake/bake.h"
 #include "core/model/polar_angles.h"
 #include "core/plot/section_plots.h"
@@ -14,8 +16,9 @@ namespace {
 constexpr dvec2 shown{0.1, 1};
 
 std::string place_text(const WorstError& worst) {
-    return fmt::format("{} at ({:.0f}\u00b0, {:.0f}\u00b0)", percent_text(worst.error), worst.theta,
-                       worst.phi);
+    const auto rounded = [](double angle) { return std::round(100 * angle) / 100; };
+    return fmt::format("{} at ({}\u00b0, {}\u00b0)", percent_text(worst.error), rounded(worst.theta),
+                       rounded(worst.phi));
 }
 
 std::vector<std::string> row_of(dvec2 sigma, const PaperTools& tools) {
@@ -70,28 +73,26 @@ PaperResult make(const PaperTools& tools) {
     result.pictures = {svg_picture("grid", "error along one azimuth", error_plot(tools))};
     result.tables = {std::move(table)};
     result.remarks = {
-        "The worst error of g, and where (\u03b8, \u03c6). Points evenly in \u03b8 by \u03c6, bilinear, with "
-        "exact g at each: what is "
-        "seen is interpolation alone, and more accurate integration would not mend it. The paper does not "
-        "say how its "
-        "200 points lie; the kindest layout is 20 x 10 over the quarter that suffices for two mirror planes.",
+        "The worst error of g, and where (\u03b8, \u03c6). Points evenly in \u03b8 by \u03c6, bilinear, "
+        "with exact g at each: what is seen is interpolation alone, and more accurate integration would "
+        "not mend it. The paper does not say how its 200 points lie; the kindest layout is 20 x 10 over "
+        "the quarter that suffices for two mirror planes.",
         "Narrow lobes bend g most near grazing, between the last two rings. Nacre stretches the directions "
-        "by p's own "
-        "width and chooses the size by the error that it measures (docs/accuracy.md)."};
+        "by p's own width and chooses the size by the error that it measures (docs/accuracy.md)."};
     return result;
 }
 
 }  // namespace
 
-const PaperPart grid_part{.name = "grid",
-                          .title = "The error of the table of 200 points",
-                          .where = "sec. 5.2",
-                          .says =
-                              "This allows us to compute values of both g(k) and R(k) on a very coarse grid, "
-                              "store the results in a table "
-                              "and use bilinear interpolation during the rendering process. We have used a "
-                              "total of 200 grid points "
-                              "(for many distributions an even coarser grid should be sufficient).",
-                          .make = make};
+const PaperPart grid_part{
+    .name = "grid",
+    .title = "The error of the table of 200 points",
+    .where = "sec. 5.2",
+    .says =
+        "This allows us to compute values of both g(k) and R(k) on a very coarse grid using available "
+        "numerical packages, store the results in a table and use bilinear interpolation during the "
+        "rendering process. We have used a total of 200 grid points (for many distributions an even "
+        "coarser grid should be sufficient).",
+    .make = make};
 
 }  // namespace nacre
