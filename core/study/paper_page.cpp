@@ -25,7 +25,7 @@ blockquote { margin: 0 0 1.1rem; padding: .1rem 0 .1rem .9rem; border-left: 3px 
 blockquote cite { display: block; font-style: normal; font-size: .88rem; margin-top: .25rem; }
 .row { display: flex; flex-wrap: wrap; gap: 1rem; }
 figure { margin: 0; flex: 1 1 15rem; min-width: 0; }
-figure.plot { flex: 1 1 26rem; overflow-x: auto; }
+figure.plot { flex: 1 1 34rem; max-width: 46rem; overflow-x: auto; }
 figure img { display: block; width: 100%; height: auto; border-radius: 6px; }
 figure.plot img { min-width: 34rem; background: #fff; border: 1px solid var(--line); }
 figcaption { margin-top: .35rem; font-size: .9rem; color: var(--quiet); }
