@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/bake/bake.h"
 #include "core/study/paper_designs.h"
@@ -28,7 +29,7 @@ std::vector<std::string> row_of(const char* name, Design design, const PaperTool
     const auto tables = bake(design, {}, tools.stop);
     const AlbedoCheck check = measure_albedo(*tables, Reference(design), tools.stop);
     const double lean = std::atan2(std::hypot(tables->mean.x, tables->mean.y), tables->mean.z);
-    return {name, fmt::format("{:.1f}\u00b0", lean * (180 / 3.14159265358979)),
+    return {name, fmt::format("{:.1f}\u00b0", lean * (180 / std::numbers::pi)),
             fmt::format("{:.3f}", check.worst), fmt::format("{} of {}", check.violations, check.directions)};
 }
 

@@ -17,7 +17,8 @@ PaperResult make(const PaperTools& tools) {
     result.remarks = {
         "\"The angle of 40 degrees\" can be read as that between the two sides or as the tilt of each. "
         "Here it is between their normals: each side leans by 20 degrees, as in the preset Grooved metal.",
-        "The paper's is a piece of metal; ours is a tile, a little domed, since light and viewer are both far "
+        "The paper's is a piece of metal; ours is a tile, a little domed, since light and viewer are both "
+        "far "
         "away and a flat one would be of one brightness."};
     return result;
 }
