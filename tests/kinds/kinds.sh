@@ -42,6 +42,10 @@ echo 'format constants:'
 add constants.cpp core/formats/constants.cpp
 line core/formats/format_list.inc 'FORMAT(constants)'
 
+echo 'part of the paper figure-4:'
+add figure_4.cpp core/study/paper/figure_4.cpp
+line core/study/paper_list.inc 'PART(figure_4)'
+
 echo 'environment halves:'
 add halves.cpp core/light/environments/halves.cpp
 line core/light/environment_list.inc 'ENVIRONMENT(halves)'
@@ -101,6 +105,8 @@ glslangValidator brdf.frag
 $bin/nacre-cli export design.nacre --to constants -o constants.txt
 has constants.txt '^N '
 $bin/nacre-cli count design.nacre | grep -qx 2
+$bin/nacre-cli paper -o paper --only figure-4
+has paper/index.html '<td>1.000</td>'
 $bin/nacre-cli render design.nacre -o picture.png --size 64x64
 $bin/nacre-cli render design.nacre -o lit.png --size 64x64 --environment halves --object ring
 $bin/nacre-cli plot design.nacre --what seen -o seen.csv
