@@ -9,6 +9,7 @@ int main(int count, char** values) {
     Report report;
     add_evaluation(report);
     add_sampling(report);
+    add_multibounce(report);
     add_area(report);
     add_lobe_area(report);
     add_albedo(report);
