@@ -9,5 +9,6 @@ namespace nacre::ui {
 bool fresnel_panel(Fresnel& fresnel);
 bool diffuse_panel(Diffuse& diffuse);
 bool shadowing_panel(Shadowing& shadowing, double& mean_cosine_scale);
+bool retro_panel(Retro& retro);
 
 }  // namespace nacre::ui

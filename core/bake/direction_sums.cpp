@@ -71,7 +71,9 @@ void sum_over_shares(const Shading<double>& material, const WeightedDirections& 
             const Lanes::TableSpot spot = shading.table_spot(k);
             const Real g = shading.projected_area(k, spot);
             const Lanes::AlbedoSpot albedo = shading.albedo_spot(k, spot);
-            const Lanes::real3 share = shading.diffuse_share({k, g, shading.albedo_of(k, g, albedo)});
+            Lanes::Direction a{k, g, shading.albedo_of(k, g, albedo)};
+            if (shading.kinds.retro) a = shading.with_turned(a);
+            const Lanes::real3 share = shading.diffuse_share(a);
             const Lanes::real3 full = shading.colour_albedo_f1(albedo) * shading.clamped_part(k, g);
             values[0] = full.x;
             values[1] = full.y;

@@ -8,6 +8,7 @@
 #include "core/model/fresnel_models.h"
 #include "core/model/layer.h"
 #include "core/model/masking_models.h"
+#include "core/model/retro.h"
 
 namespace nacre {
 
@@ -30,6 +31,7 @@ struct Design {
     Fresnel fresnel = SchlickFresnel{};
     Diffuse diffuse = NoDiffuse{};
     Specular specular;
+    Retro retro;
 
     bool operator==(const Design&) const = default;
 };

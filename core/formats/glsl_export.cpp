@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <regex>
 #include <set>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/model/parameter_fields.h"
@@ -35,17 +37,25 @@ struct FieldList {
     }
 };
 
-// Without the field `left_out`.
+// Without the fields `left_out`.
 template <class Struct>
 std::string constructor(const char* name, const Struct& value, const std::string& first = {},
-                        std::string_view left_out = {}) {
+                        const std::vector<std::string_view>& left_out = {}) {
     std::string text = fmt::format("{}(", name);
     FieldList fields{text};
     if (!first.empty()) fields.add(first);
     visit_fields(value, [&](const char* field, const auto& v) {
-        if (field != left_out) fields(field, v);
+        if (std::ranges::find(left_out, field) == left_out.end()) fields(field, v);
     });
     return text + ")";
+}
+
+// Of parts that the design does without.
+std::vector<std::string_view> fields_left_out(const ShadingKinds& kinds) {
+    std::vector<std::string_view> fields;
+    if (kinds.tint == Tint::none) fields.push_back("tint");
+    if (!kinds.retro) fields.push_back("retro");
+    return fields;
 }
 
 // Stands in the text, where GLSL has no such sign, for the tables' numbers: they hold no names.
@@ -63,12 +73,12 @@ std::string numbers(const std::vector<float>& data) {
 
 std::string constants(const Tables& tables) {
     const Shading<double>& shading = tables.shading;
+    const std::vector<std::string_view> left_out = fields_left_out(shading.kinds);
     std::string text = fmt::format(
         "const Surface surface = {};\n",
-        constructor("Surface", shading.surface, constructor("TableShape", shading.surface.tables)));
+        constructor("Surface", shading.surface, constructor("TableShape", shading.surface.tables), left_out));
     text += fmt::format("const int layer_count = {};\nconst Layer layers[{}] = Layer[{}](\n",
                         shading.layer_count, shading.layer_count, shading.layer_count);
-    const std::string_view left_out = shading.kinds.tint == Tint::none ? "tint" : "";
     for (int i = 0; i < shading.layer_count; ++i)
         text += "    " + constructor("Layer", shading.layers[i], {}, left_out) +
                 (i + 1 < shading.layer_count ? ",\n" : ");\n");

@@ -163,8 +163,16 @@ const char* formula_of(const Variant& model) {
 }
 
 std::string specular_formula(const Design& design, Tint tint) {
-    return fmt::format("specular = {}{}{}(h) F V/4", has_intensity(design) ? "specular_intensity " : "",
-                       tint == Tint::shared ? "tint " : "", tint == Tint::varied ? "q" : "p");
+    const char* const intensity = has_intensity(design) ? "specular_intensity " : "";
+    const std::string mirrored =
+        fmt::format("{}{}(h) F V/4", tint == Tint::shared ? "tint " : "", tint == Tint::varied ? "q" : "p");
+    if (!is_retro(design)) return fmt::format("specular = {}{}", intensity, mirrored);
+    return fmt::format(
+        "m = {}; specular = {}((1 - retro) m + 0.5 retro (mirrored(k1, T(k2)) + mirrored(T(k1), k2))): "
+        "mirrored(a, b) "
+        "is m "
+        "of k1 = a and k2 = b; T(k) = (-x, -y, z)",
+        mirrored, intensity);
 }
 
 Json brdf_json(const Design& design, Tint tint) {
@@ -219,6 +227,10 @@ std::string table_manifest(const Design& design, const Tables& tables,
     json["evaluate"] = evaluation_json(design, tables);
     if (tables.needs.albedo) add_fresnel_rules(tables, json);
     json["brdf"] = brdf_json(design, tables.needs.tint);
+    if (tables.needs.albedo && is_retro(design))
+        json["albedo_in_brdf"] =
+            "(1 - 0.5 retro) R(k) + 0.5 retro R(T(k)): what R(k) is in `brdf`, of R(k) as above; T(k) = (-x, "
+            "-y, z)";
     json["tables"] = pictures_json(pictures);
     json["texels"] = {
         {"w, v", "column i of n stands at i/(n-1): texels on both ends, not at centres"},

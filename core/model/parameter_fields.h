@@ -54,6 +54,7 @@ void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
     visit("ks", surfaces.ks...);
     visit("albedo", surfaces.albedo...);
     visit("coupling", surfaces.coupling...);
+    visit("retro", surfaces.retro...);  // in the GLSL of a retro-reflective design
 }
 
 // The surface and its layers from one struct of shading_members.inl to another, whatever their precision.

@@ -35,6 +35,8 @@ std::string words_of(Term term) {
             return "BRDF \u03c1";
         case Term::specular:
             return "Specular \u03c1";
+        case Term::retro:
+            return "Retro-reflected \u03c1";
         case Term::diffuse:
             return "Diffuse \u03c1";
         case Term::fresnel:

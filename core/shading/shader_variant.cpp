@@ -77,8 +77,10 @@ struct OptionalPart {
     bool used;
 };
 
-std::vector<OptionalPart> optional_parts(const ShadingKinds& kinds) {
-    return {{"HAS_TINT", kinds.tint != Tint::none}};
+std::vector<OptionalPart> optional_parts(const ShaderVariant& variant) {
+    return {{"HAS_TINT", variant.kinds.tint != Tint::none},
+            {"HAS_RETRO", variant.kinds.retro},
+            {"SHOWS_RETRO", variant.term == Term::retro}};
 }
 
 // The text with its lines `#if MACRO` to `#endif` and what is between them, or without: a design that does
@@ -101,8 +103,8 @@ std::string with_resolved(const std::string& text, const OptionalPart& part) {
     return result;
 }
 
-std::string with_parts_resolved(std::string text, const ShadingKinds& kinds) {
-    for (const OptionalPart& part : optional_parts(kinds)) text = with_resolved(text, part);
+std::string with_parts_resolved(std::string text, const ShaderVariant& variant) {
+    for (const OptionalPart& part : optional_parts(variant)) text = with_resolved(text, part);
     return text;
 }
 
@@ -161,6 +163,7 @@ std::string variant_definitions(const ShaderVariant& variant) {
         text += "#define TINTED true\n";
         text += fmt::format("#define TINT_VARIES {}\n", variant.kinds.tint == Tint::varied);
     }
+    if (variant.kinds.retro) text += "#define IS_RETRO true\n#define OR_ZERO\n";
     // One model of each set is there.
     for (const char* fixed : {"FRESNEL_IS(index)", "FRESNEL_IS_LINEAR", "FRESNEL_IS_EXACT",
                               "MASKING_IS(index)", "DIFFUSE_IS(index)", "READS_ALBEDO"})
@@ -169,7 +172,7 @@ std::string variant_definitions(const ShaderVariant& variant) {
 }
 
 std::string shared_parameters(const ShaderVariant& variant) {
-    return with_parts_resolved(text_of("shared/parameters.glsl"), variant.kinds);
+    return with_parts_resolved(text_of("shared/parameters.glsl"), variant);
 }
 
 std::string shared_mathematics(const ShaderVariant& variant) {
@@ -182,14 +185,15 @@ std::string shared_mathematics(const ShaderVariant& variant) {
         kind_texts<MaskingModel>("masking", "MASKING_CASE", {"_masking"}, {kinds.masking});
     const KindTexts diffuse = kind_texts<Diffuse>("diffuse", "DIFFUSE_CASE",
                                                   {"_share", "_diffuse", "_diffuse_albedo"}, {kinds.diffuse});
+    const std::string retro = kinds.retro ? text_of("shared/retro.glsl") + "\n" : "";
     std::string text;
     for (const std::string& part :
          {text_of("choice.glsl"), text_of("shared/fresnel.glsl"), fresnel.functions,
           text_of("shared/pictures.glsl"), lobe.functions, text_of("shared/lobes.glsl"),
           text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
-          diffuse.functions, text_of("shared/brdf.glsl")})
+          diffuse.functions, retro + text_of("shared/brdf.glsl")})
         text += part + "\n";
-    text = with_parts_resolved(std::move(text), kinds);
+    text = with_parts_resolved(std::move(text), variant);
     text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
     text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
     text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
@@ -202,8 +206,9 @@ std::string fragment_shader(const ShaderVariant& variant, std::string_view main)
                        shared_mathematics(variant) + "\n";
     if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
     if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";
-    for (const std::string_view part : parts_of(variant, main)) text += text_of(part) + "\n";
-    return text + text_of(main);
+    for (const std::string_view part : parts_of(variant, main))
+        text += with_parts_resolved(text_of(part), variant) + "\n";
+    return text + with_parts_resolved(text_of(main), variant);
 }
 
 }  // namespace nacre

@@ -22,6 +22,9 @@ constexpr TermInfo terms[] = {
      "behind."},
     {Term::specular, "specular", "Specular",
      "The light of one reflection at the facets: p N F/(4 g(k1) g(k2)) (eq. 26)."},
+    {Term::retro, "retro", "Retro",
+     "The part of the specular term that goes back to where the light came from: weight [\u03c1(k1, T k2) + "
+     "\u03c1(T k1, k2)]/2, T half a turn about n."},
     {Term::diffuse, "diffuse", "Diffuse",
      "The light that enters and leaves again elsewhere; for the coupled model what the specular term leaves "
      "over (eq. 27 to 30)."},
@@ -52,6 +55,10 @@ std::vector<std::string> term_names() {
     return names;
 }
 
-bool is_factor(Term term) { return term != Term::total && term != Term::specular && term != Term::diffuse; }
+bool is_factor(Term term) {
+    return term != Term::total && term != Term::specular && term != Term::retro && term != Term::diffuse;
+}
+
+bool has_term(const ShadingKinds& kinds, Term term) { return term != Term::retro || kinds.retro; }
 
 }  // namespace nacre

@@ -42,6 +42,7 @@ Reference::Reference(const Design& design)
                 .axis;
     channels_ = needs.fresnel_tables;
     round_ = needs.symmetry.symmetry == Symmetry::isotropic;
+    same_turned_ = round_ || needs.symmetry.symmetry == Symmetry::quarter;
     reads_albedo_ = nacre::reads_albedo(design.diffuse);
     shading_.kinds.albedo = reads_albedo_;
 }
@@ -76,7 +77,14 @@ dvec3 Reference::design_albedo(const AlbedoValues& values) const {
 }
 
 Shading<double>::Direction Reference::direction(dvec3 k, std::stop_token stop) const {
-    return {k, projected_area(k), reads_albedo_ ? design_albedo(albedo(k, stop)) : dvec3{0}};
+    const auto R = [&](dvec3 of) { return reads_albedo_ ? design_albedo(albedo(of, stop)) : dvec3{0}; };
+    Shading<double>::Direction a{k, projected_area(k), R(k)};
+    if (!shading_.kinds.retro) return a;
+    const dvec3 turned = shading_.turned(k);
+    a.turned_g = same_turned_ ? a.g : projected_area(turned);
+    a.retro_R = 0.5 * (a.R + (same_turned_ ? a.R : R(turned)));
+    a.R = shading_.retro_mixed(a.R, a.retro_R);
+    return a;
 }
 
 // Gauss-Legendre over theta, whose cosine weight hides the band near grazing where R turns, and the

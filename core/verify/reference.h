@@ -53,6 +53,7 @@ class Reference {
     int channels_;
     bool round_;
     bool reads_albedo_;
+    bool same_turned_;  // half a turn about n leaves p as it is
 };
 
 }  // namespace nacre

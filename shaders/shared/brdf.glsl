@@ -64,6 +64,19 @@ real3 specular(Direction a, Direction b) READS {
     return specular_of(a, b, between, density(between.h));
 }
 
+#if HAS_RETRO
+// rho_r = [rho(k1, T k2) + rho(T k1, k2)]/2, see retro.glsl.
+real3 retro_specular(Direction a, Direction b) READS {
+    return specular(turned(a), b) * real(0.5) + specular(a, turned(b)) * real(0.5);
+}
+
+// With the part of it that the design has.
+real3 whole_specular(Direction a, Direction b) READS {
+    if (!IS_RETRO) return specular(a, b);
+    return retro_mixed(specular(a, b), retro_specular(a, b));
+}
+
+#endif
 // The part of a diffuse term that one direction brings, 0 to 1, by the model of shaders/diffuse/.
 real3 diffuse_share(Direction a) READS {
     real3 share = real3(0.0);
@@ -134,6 +147,25 @@ real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
 }
 #endif
 
+#if HAS_RETRO
+// With what is known of T k. Where two mirror planes stand on n it sees the same.
+Direction with_turned(Direction a) READS {
+    real3 turned_R = a.R;
+    a.turned_g = a.g;
+    if (surface.tables.symmetry == SYMMETRY_HALF || surface.tables.symmetry == SYMMETRY_NONE) {
+        real3 k = turned(a.k);
+        TableSpot spot = table_spot(k);
+        a.turned_g = projected_area(k, spot);
+#if HAS_ALBEDO
+        if (READS_ALBEDO) turned_R = albedo_of(k, a.turned_g, albedo_spot(k, spot));
+#endif
+    }
+    a.retro_R = (a.R + turned_R) * real(0.5);
+    a.R = retro_mixed(a.R, a.retro_R);
+    return a;
+}
+
+#endif
 // Reads the tables for k, which is above the horizon.
 Direction direction(real3 k) READS {
     Direction a;
@@ -143,6 +175,9 @@ Direction direction(real3 k) READS {
     a.R = real3(0.0);
 #if HAS_ALBEDO
     if (READS_ALBEDO) a.R = albedo_of(k, a.g, albedo_spot(k, spot));
+#endif
+#if HAS_RETRO
+    if (IS_RETRO) return with_turned(a);
 #endif
     return a;
 }
@@ -164,6 +199,9 @@ real3 total_albedo(Direction a) READS {
 #endif
 
 real3 brdf_of(Direction a, Direction b) READS {
+#if HAS_RETRO
+    if (IS_RETRO) return whole_specular(a, b) * surface.ks + diffuse(a, b);
+#endif
     return specular(a, b) * surface.ks + diffuse(a, b);
 }
 

@@ -52,4 +52,7 @@ struct Surface {
     scalar ks;            // weight of the specular term: the design's intensity, times that of eq. 27
     scalar3 albedo;       // rho_d
     scalar3 coupling;     // the constant c of eq. 28, for each colour
+#if HAS_RETRO
+    scalar retro;         // weight of retro-reflection in the specular term
+#endif
 };

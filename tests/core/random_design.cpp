@@ -164,6 +164,7 @@ Design random_design(const std::vector<Picture>& files) {
     design.fresnel = random_kind<Fresnel>();
     design.diffuse = random_kind<Diffuse>();
     if (coin()) design.specular.intensity = number(0, limits::intensity_max);
+    if (coin()) RandomParameter{files}.fill(design.retro);
     return design;
 }
 
