@@ -45,9 +45,13 @@ std::vector<Design> designs() {
     return all;
 }
 
-std::string manifest_of(const Design& design) {
-    const auto tables = bake(design);
-    return table_manifest(design, *tables, table_pictures(*tables), TableErrors{});
+std::string manifest_of(const Design& design, const Tables& tables) {
+    return table_manifest(design, tables, table_pictures(tables), TableErrors{});
+}
+
+// Where bits are compared, no table need be good.
+std::shared_ptr<const Tables> drafted(const Design& design) {
+    return bake(design, {.quality = Quality::draft});
 }
 
 }  // namespace
@@ -73,10 +77,10 @@ TEST_CASE("it stands in the file where it is above 0, and makes it one of versio
 
 TEST_CASE("a design without it has the tables, shader and exports that it would have if it did not exist") {
     const Design plain = lopsided(0);
-    const auto tables = bake(plain), with = bake(lopsided(0.5));
+    const auto tables = drafted(plain), with = drafted(lopsided(0.5));
     CHECK(with->data == tables->data);
     CHECK(with->needs == tables->needs);
-    for (const std::string& text : {glsl_export(plain, *tables), manifest_of(plain),
+    for (const std::string& text : {glsl_export(plain, *tables), manifest_of(plain, *tables),
                                     fragment_shader(variant_of(tables->shading), "surface.frag"),
                                     fragment_shader(variant_of(tables->shading), "accumulate.frag")}) {
         CHECK(text.find("retro") == std::string::npos);
@@ -85,16 +89,17 @@ TEST_CASE("a design without it has the tables, shader and exports that it would 
         CHECK(text.find("OR_ZERO") == std::string::npos);
     }
     CHECK(glsl_export(lopsided(0.5), *with).find("retro") != std::string::npos);
-    CHECK(manifest_of(lopsided(0.5)).find("\"retro\": 0.5") != std::string::npos);
+    CHECK(manifest_of(lopsided(0.5), *with).find("\"retro\": 0.5") != std::string::npos);
 }
 
 TEST_CASE("a baker keeps its tables where only the weight changes") {
     Baker baker;
-    const auto before = baker.bake(lopsided(0), {}), after = baker.bake(lopsided(0.5), {});
+    const BakeOptions draft{.quality = Quality::draft};
+    const auto before = baker.bake(lopsided(0), draft), after = baker.bake(lopsided(0.5), draft);
     CHECK(after->data == before->data);
     CHECK(after->shading.surface.retro == 0.5);
     CHECK_FALSE(before->shading.kinds.retro);
-    CHECK(baker.bake(lopsided(0), {})->shading.kinds == before->shading.kinds);
+    CHECK(baker.bake(lopsided(0), draft)->shading.kinds == before->shading.kinds);
 }
 
 TEST_CASE("the whole of it is the mean of both one-sided forms, to the last bit") {
@@ -103,7 +108,7 @@ TEST_CASE("the whole of it is the mean of both one-sided forms, to the last bit"
         Design without = design;
         without.retro.weight = 0;
         design.retro.weight = 1;
-        const Brdf plain(bake(without)), retro(bake(design));
+        const Brdf plain(drafted(without)), retro(drafted(design));
         Random random(2);
         for (int i = 0; i < 200; ++i) {
             const dvec3 a = random_direction(random), b = random_direction(random);
@@ -115,7 +120,7 @@ TEST_CASE("the whole of it is the mean of both one-sided forms, to the last bit"
 
 TEST_CASE("a weight mixes: what is mirrored and what goes back add up to the specular term") {
     for (const double weight : {0.2, 0.7}) {
-        const Brdf plain(bake(lopsided(0))), mixed(bake(lopsided(weight)));
+        const Brdf plain(drafted(lopsided(0))), mixed(drafted(lopsided(weight)));
         Random random(4);
         for (int i = 0; i < 100; ++i) {
             const dvec3 a = random_direction(random), b = random_direction(random);
@@ -142,13 +147,14 @@ TEST_CASE("light goes back to where it came from, in the shape that a mirror wou
 
 TEST_CASE("its albedo is the mean of R on both sides, by the BRDF and by the tables, and never above 1") {
     for (const Design& design : designs()) {
-        const auto tables = bake(design, {.albedo = true});
+        Baker baker;
+        const auto tables = baker.bake(design, {.albedo = true});
         const Brdf brdf(tables);
         Design without = design;
         without.retro.weight = 0;
-        const Brdf plain(bake(without, {.albedo = true}));
+        const Brdf plain(baker.bake(without, {.albedo = true}));
         const double part = 0.5 * design.retro.weight;
-        for (const dvec3 k : probes) {
+        for (const dvec3 k : {probes[0], probes[1], probes[3]}) {
             const dvec3 mean = (1 - part) * plain.albedo(k) + part * plain.albedo(turned(k));
             CHECK(apart(brdf.albedo(k), mean) < 1e-12);
             CHECK(apart(brdf.albedo(k), integrated(brdf, k, Term::specular)) < 1e-3);
@@ -160,23 +166,24 @@ TEST_CASE("its albedo is the mean of R on both sides, by the BRDF and by the tab
     }
 }
 
+// Of the lopsided one without the constant of eq. 28, which takes hundreds of albedos.
 TEST_CASE("what the tables answer is what adaptive integration answers") {
-    for (const Design& design : {lopsided(0.6), upright(0.5)}) {
+    for (const bool leaning : {true, false}) {
+        Design design = leaning ? lopsided(0.6) : upright(0.5);
+        if (!leaning) design.diffuse = CoupledDiffuse{white};
         Reference reference(design);
-        reference.prepare_coupling();
+        if (!leaning) reference.prepare_coupling();
         const Brdf brdf(bake(design));
-        for (const Term term : {Term::total, Term::specular, Term::retro, Term::diffuse})
-            for (const auto& [a, b] :
-                 {std::pair{probes[1], probes[2]}, {probes[3], probes[3]}, {probes[0], probes[4]}}) {
-                const dvec3 exact =
-                    brdf_term(reference.shading(), reference.direction(a), reference.direction(b), term);
-                CHECK(apart(brdf.evaluate(a, b, term), exact) <
-                      3e-3 * std::max(1.0, std::max(exact.x, exact.y)));
-            }
-        for (const dvec3 k : {probes[1], probes[4]}) {
-            const Shading<double>::Direction exact = reference.direction(k);
-            if (reads_albedo(design.diffuse)) CHECK(apart(exact.R, brdf.albedo(k)) < 1.5e-3);
-            CHECK(exact.turned_g == doctest::Approx(reference.projected_area(turned(k))).epsilon(1e-12));
+        const Shading<double>::Direction a = reference.direction(probes[1]),
+                                         b = reference.direction(probes[2]);
+        CHECK(apart(a.R, brdf.albedo(a.k)) < 1e-3);
+        CHECK(apart(b.R, brdf.albedo(b.k)) < 1e-3);
+        CHECK(a.turned_g == doctest::Approx(reference.projected_area(turned(a.k))).epsilon(1e-12));
+        for (const Term term : {Term::specular, Term::retro, Term::diffuse, Term::total}) {
+            if (leaning && (term == Term::diffuse || term == Term::total)) continue;
+            const dvec3 exact = brdf_term(reference.shading(), a, b, term);
+            CHECK(exact.y > 0);
+            CHECK(apart(brdf.evaluate(a.k, b.k, term), exact) < 2e-3 * exact.x);
         }
     }
 }
