@@ -19,10 +19,8 @@ inline dvec3 integrated(const Brdf& brdf, dvec3 k, Term term) {
         const double theta = 0.5 * pi * (i + 0.5) / polar_steps;
         dvec3 ring{0};
         for (int j = 0; j < azimuths; ++j)
-            ring +=
-                brdf.evaluate(k, polar(std::cos(theta), 2 * pi * (j + 0.5) / azimuths), term);
-        sum += ring * (std::cos(theta) * std::sin(theta) * (0.5 * pi / polar_steps) *
-                       (2 * pi / azimuths));
+            ring += brdf.evaluate(k, polar(std::cos(theta), 2 * pi * (j + 0.5) / azimuths), term);
+        sum += ring * (std::cos(theta) * std::sin(theta) * (0.5 * pi / polar_steps) * (2 * pi / azimuths));
     }
     return sum;
 }
