@@ -7,7 +7,7 @@ file(GLOB public_model RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS mo
     model/masking/*.h model/diffuse/*.h model/kinds/*.h)
 list(APPEND public_model
     model/diffuse_models.h model/facet_distribution.h model/fresnel_models.h model/layer.h model/lobe.h
-    model/lobe_model.h model/lobes.h model/masking_models.h model/modulation.h model/picture_source.h model/quadrature.h model/shading.h
+    model/lobe_model.h model/lobes.h model/masking_models.h model/modulation.h model/picture_source.h model/quadrature.h model/retro.h model/shading.h
     model/shading_members.inl model/spectral/material_list.inc model/spectral/materials.h model/tint.h)
 set(public_design design/design.h design/design_file.h)
 set(public_shading shading/term.h)

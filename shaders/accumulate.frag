@@ -14,6 +14,14 @@ uniform float environment_brightness;  // factor
 
 out vec4 accumulated;  // radiance times coverage, and the number of samples
 
+#if HAS_RETRO
+// How densely the facets that k2 sees send it into k1, 1/sr.
+float mirrored_density(vec3 k2, float g, vec3 k1) {
+    vec3 sum = k1 + k2;
+    return g > 0.0 ? density(sum / length(sum)) / (4.0 * g) : 0.0;
+}
+
+#endif
 // rho L (k1.n) over the sum of both densities, in which either way may draw k1: visible facets or light. That is each
 // way's own quotient times its weight by the balance heuristic.
 vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
@@ -22,18 +30,35 @@ vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
     vec3 light = environment_radiance(place);
     float by_light = irradiance > 0.0 ? dot(light, vec3(light_scale)) * k1.z / irradiance : 0.0;
     float by_facets = viewer.g > 0.0 ? density(sum / length(sum)) / (4.0 * viewer.g) : 0.0;
+#if HAS_RETRO
+    by_facets = mix(by_facets, 0.5 * (mirrored_density(turned(viewer.k), viewer.turned_g, k1) +
+                                      mirrored_density(viewer.k, viewer.g, turned(k1))), surface.retro);
+#endif
     float both = by_light + by_facets;
     if (!(both > 0.0)) return vec3(0.0);
     return shown_brdf(direction(k1), viewer) * light * (k1.z / both);
 }
 
 vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at) {
-    if (!(viewer.g > 0.0)) return vec3(0.0);
-    Drawn facet = draw(facet_order, viewer.k, at);
-    float kh = dot(viewer.k, facet.direction);
-    vec3 k1 = normalize(2.0 * kh * facet.direction - viewer.k);
+    Direction seen = viewer;  // whose facets are drawn
+#if HAS_RETRO
+    // One of the ways, and `at` anew in it: T before a facet mirrors, after it, or neither.
+    float each = 0.5 * surface.retro;
+    bool before = at < each;
+    bool after = !before && at < surface.retro;
+    at = before ? at / each : after ? (at - each) / each : (at - surface.retro) / (1.0 - surface.retro);
+    at = clamp(at, 0.0, 0.9999999);
+    if (before) seen = turned(viewer);
+#endif
+    if (!(seen.g > 0.0)) return vec3(0.0);
+    Drawn facet = draw(facet_order, seen.k, at);
+    float kh = dot(seen.k, facet.direction);
+    vec3 k1 = normalize(2.0 * kh * facet.direction - seen.k);
+#if HAS_RETRO
+    if (after) k1 = turned(k1);
+#endif
     if (facet.weight <= 0.0 || kh <= 0.0 || k1.z <= 0.0) return vec3(0.0);
-    return reflected(viewer, k1, to_environment * k1, irradiance) * (facet.weight * kh / viewer.g);
+    return reflected(viewer, k1, to_environment * k1, irradiance) * (facet.weight * kh / seen.g);
 }
 
 vec3 by_light(Direction viewer, mat3 to_environment, float irradiance, float at) {

@@ -9,6 +9,9 @@ vec3 shown_specular(Direction a, Direction b) {
 #if CLOSED_FORM
     return closed_form_specular(closed_form, a.k, b.k);
 #else
+#if HAS_RETRO
+    if (IS_RETRO) return whole_specular(a, b) * surface.ks;
+#endif
     return specular(a, b) * surface.ks;
 #endif
 }
@@ -27,7 +30,7 @@ vec3 shown_bounces(Direction a, Direction b) {
 #if CLOSED_FORM
     return vec3(0.0);
 #else
-    return multibounce(a, b) * surface.ks;
+    return whole_multibounce(a, b) * surface.ks;
 #endif
 }
 
@@ -40,6 +43,29 @@ vec3 shown_bounce_albedo(Direction a) {
 }
 #endif
 
+#if SHOWS_RETRO
+// Black where the design has none, or a model stands in its place.
+vec3 shown_retro(Direction a, Direction b) {
+    vec3 rho = vec3(0.0);
+#if HAS_RETRO
+#if !CLOSED_FORM
+    rho = retro_specular(a, b) * (surface.retro * surface.ks);
+#endif
+#endif
+    return rho;
+}
+
+vec3 shown_retro_albedo(Direction a) {
+    vec3 albedo = vec3(0.0);
+#if HAS_RETRO
+#if !CLOSED_FORM
+    albedo = a.retro_R * (surface.retro * surface.ks);
+#endif
+#endif
+    return albedo;
+}
+
+#endif
 // 1/sr
 vec3 shown_brdf(Direction a, Direction b) {
 #if SHOWS_MULTIBOUNCE
@@ -48,6 +74,9 @@ vec3 shown_brdf(Direction a, Direction b) {
     bounces = shown_bounces(a, b);
 #endif
     return bounces;
+#endif
+#if SHOWS_RETRO
+    return shown_retro(a, b);
 #endif
 #if SHOWS_SPECULAR
     return shown_specular(a, b);
@@ -69,6 +98,9 @@ vec3 shown_albedo(Direction a) {
     bounces = shown_bounce_albedo(a);
 #endif
     return bounces;
+#endif
+#if SHOWS_RETRO
+    return shown_retro_albedo(a);
 #endif
 #if CLOSED_FORM
     bool alone = closed_form.model == MODEL_OREN_NAYAR;

@@ -116,15 +116,21 @@ bool parameter_field(T& kind, const KindParameter<T, Set>& parameter, CurveView*
 
 }  // namespace kind_detail
 
-// Returns whether a parameter changed.
+// Each returns whether a parameter changed.
+template <class T>
+bool part_fields(T& kind, CurveView* curve = nullptr) {
+    bool changed = false;
+    visit_parameters<T>(
+        [&](const auto& parameter) { changed |= kind_detail::parameter_field(kind, parameter, curve); });
+    return changed;
+}
+
 template <class Variant>
 bool kind_fields(Variant& value, CurveView* curve = nullptr) {
     bool changed = false;
     std::visit(
         [&]<class T>(T& kind) {
-            visit_parameters<T>([&](const auto& parameter) {
-                changed |= kind_detail::parameter_field(kind, parameter, curve);
-            });
+            changed |= part_fields(kind, curve);
             if constexpr (requires { T::note; })
                 if (T::note[0] != '\0') dim_text(T::note);
         },

@@ -10,5 +10,6 @@ bool fresnel_panel(Fresnel& fresnel);
 bool diffuse_panel(Diffuse& diffuse);
 bool multibounce_panel(Multibounce& multibounce);
 bool shadowing_panel(Shadowing& shadowing, double& mean_cosine_scale);
+bool retro_panel(Retro& retro);
 
 }  // namespace nacre::ui

@@ -44,10 +44,13 @@ void list(Term& term, bool factors, const std::vector<const TermInfo*>& terms) {
 
 }  // namespace
 
-void term_bar(Term& term, bool factors, bool expert) {
+void term_bar(Term& term, const ShadingKinds& kinds, bool factors, bool expert) {
+    const auto shown = [&](Term candidate) {
+        return candidate == term || (has_term(kinds, candidate) && (expert || !is_factor(candidate)));
+    };
     std::vector<const TermInfo*> terms;
     for (const TermInfo& candidate : all_terms())
-        if (expert || !is_factor(candidate.term) || candidate.term == term) terms.push_back(&candidate);
+        if (shown(candidate.term)) terms.push_back(&candidate);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float needed = 2 * gap;
     for (const TermInfo* candidate : terms) needed += button_width(candidate->label) + gap;

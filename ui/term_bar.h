@@ -5,8 +5,8 @@
 
 namespace nacre::ui {
 
-// `factors` false: a model without them is shown, and only light can be chosen. An expert sees the factors
-// too.
-void term_bar(Term& term, bool factors, bool expert);
+// The terms of a design of these kinds. `factors` false: a model without them is shown, and only light can be
+// chosen. An expert sees the factors too.
+void term_bar(Term& term, const ShadingKinds& kinds, bool factors, bool expert);
 
 }  // namespace nacre::ui

@@ -62,6 +62,8 @@ std::vector<std::string> shader_parts(const Tables& tables) {
     if (variant.modulation) parts.emplace_back("modulation by a picture");
     if (kinds.tint == Tint::shared) parts.emplace_back("one tint of all layers");
     if (kinds.tint == Tint::varied) parts.emplace_back("a tint of each layer");
+    if (kinds.retro)
+        parts.push_back(fmt::format("retro-reflection, weight {:g}", tables.shading.surface.retro));
     parts.push_back(fmt::format("shadowing {}{}", kind_name_of<MaskingModel>(kinds.masking),
                                 kinds.clamp ? ", clamped" : ""));
     if (kinds.fresnel != kind_index<Fresnel, NoFresnel>())
@@ -182,6 +184,7 @@ std::string json_info(const Design& design, const Tables& tables) {
                  {"H", {tables.mean.x, tables.mean.y, tables.mean.z}},
                  {"symmetry", name_of(tables.needs.symmetry.symmetry)},
                  {"specular_intensity", design.specular.intensity},
+                 {"retro_weight", design.retro.weight},
                  {"creates_energy", !energy_note(design.specular.intensity).empty()},
                  {"tables", std::move(pictures)},
                  {"bake_seconds", tables.seconds},

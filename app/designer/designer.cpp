@@ -49,7 +49,9 @@ void work_on_preview(Designer& designer) {
     if (shows_model && is_factor(scene.term)) scene.term = Term::total;
     designer.objects.draw(scene, file_dialogs(designer));
     if (const auto note = designer.objects.take_note()) designer.files.tell(*note);
-    ui::term_bar(scene.term, !shows_model, designer.layers.expert);
+    const auto& tables = designer.frame.tables;
+    ui::term_bar(scene.term, tables ? tables->shading.kinds : ShadingKinds{}, !shows_model,
+                 designer.layers.expert);
     ui::CanvasState& canvas = designer.canvas.state;
     const auto sphere = designer.preview.point(scene);
     const bool taken = sphere && ui::works_on_object(canvas.tool) &&

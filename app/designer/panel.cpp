@@ -51,6 +51,8 @@ void draw_material(Design& design) {
     ImGui::Spacing();
     ui::shadowing_panel(design.shadowing, design.distribution.mean_cosine_scale);
     ImGui::Spacing();
+    ui::retro_panel(design.retro);
+    ImGui::Spacing();
     ui::heading("Note");
     ui::note_field(design.note);
 }

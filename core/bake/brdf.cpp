@@ -1,5 +1,6 @@
 #include "core/bake/brdf.h"
 
+#include "core/bake/mirror_ways.h"
 #include "core/model/visible_facets.h"
 
 namespace nacre {
@@ -8,9 +9,12 @@ dvec3 brdf_term(const Shading<double>& shading, const Shading<double>::Direction
                 const Shading<double>::Direction& b, Term term) {
     switch (term) {
         case Term::specular:
-            return shading.specular(a, b) * shading.surface.ks;
+            return shading.whole_specular(a, b) * shading.surface.ks;
         case Term::multibounce:
-            return shading.multibounce(a, b) * shading.surface.ks;
+            return shading.whole_multibounce(a, b) * shading.surface.ks;
+        case Term::retro:
+            if (!shading.kinds.retro) return dvec3{0};
+            return shading.retro_specular(a, b) * (shading.surface.retro * shading.surface.ks);
         case Term::diffuse:
             return shading.diffuse(a, b);
         case Term::density:
@@ -40,9 +44,14 @@ double Brdf::cosine_probability() const { return tables_->shading.cosine_probabi
 double Brdf::pdf(dvec3 k1, dvec3 k2) const {
     if (k1.z <= 0 || k2.z <= 0) return 0;
     const Shading<double>& shading = tables_->shading;
+    if (shading.kinds.retro) {
+        const auto facets = shading.mirrored_in_all_ways(shading.direction(k1), shading.direction(k2));
+        return shading.sampled_density(facets.drawn, k2.z);
+    }
     const double g = shading.projected_area(k1, shading.table_spot(k1));
     const auto between = shading.half_vector(k1, k2);
-    return shading.sampled_density(g, between.exists ? shading.density(between.h) : 0, k2.z);
+    const double p = between.exists ? shading.density(between.h) : 0;
+    return shading.sampled_density(shading.facet_density(g, p), k2.z);
 }
 
 dvec3 Brdf::draw(dvec3 k1, Random& random) const {
@@ -50,8 +59,10 @@ dvec3 Brdf::draw(dvec3 k1, Random& random) const {
     if (k1.z <= 0) return none;
     const double diffuse = cosine_probability();
     if (diffuse > 0 && uniform_random(random) < diffuse) return cosine_sample(random);
-    const std::optional<dvec3> h = tables_->distribution->visible_facets()(k1, random);
-    return h ? mirrored(k1, *h) : none;
+    const MirrorWay way = draw_way(tables_->shading, random);
+    const dvec3 from = way.entering(k1);
+    const std::optional<dvec3> h = tables_->distribution->visible_facets()(from, random);
+    return h ? way.leaving(mirrored(from, *h)) : none;
 }
 
 std::optional<BrdfSample> Brdf::sample(dvec3 k1, Random& random) const {

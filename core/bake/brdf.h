@@ -10,7 +10,7 @@ namespace nacre {
 
 struct BrdfSample {
     dvec3 k2;      // unit, above the horizon
-    dvec3 weight;  // rho(k1, k2) (k2.n)/pdf, each colour; at most F(k.h) for a specular sample of a valid p
+    dvec3 weight;  // rho(k1, k2) (k2.n)/pdf, each colour; at most F(k.h) for a mirrored sample of a valid p
     double pdf;    // of k2, 1/sr
 };
 
@@ -23,10 +23,11 @@ class Brdf {
     // 0 where either direction is not above the horizon.
     dvec3 evaluate(dvec3 k1, dvec3 k2, Term term = Term::total) const;
 
-    // Visible normals, p(h)/(4 g(k1)) of k2 (Heitz & d'Eon 2014, for any p), mixed with a cosine about n:
-    // half and half where the design has a diffuse term, three to one where light bounces between the facets.
-    // Nothing is returned for a sample below the horizon, which a renderer counts as black. The first call
-    // for a p takes some milliseconds: see FacetDistribution::visible_facets().
+    // Visible normals, p(h)/(4 g(k1)) of k2 (Heitz & d'Eon 2014, for any p), turned half about n before or
+    // after as often as the design is retro-reflective, and mixed with a cosine about n: half and half where
+    // it has a diffuse term, three to one where light bounces between the facets. Nothing is returned for a
+    // sample below the horizon, which a renderer counts as black. The first call for a p takes some
+    // milliseconds: see FacetDistribution::visible_facets().
     std::optional<BrdfSample> sample(dvec3 k1, Random& random) const;
 
     // k2 of a sample alone; k2.z <= 0 where there is none.
@@ -36,7 +37,8 @@ class Brdf {
     // How often sample() draws the cosine.
     double cosine_probability() const;
 
-    // R(k), the directional albedo of the specular term (Ashikhmin 2000, eq. 29); 0 when R is not baked.
+    // R(k), the directional albedo of the specular term (Ashikhmin 2000, eq. 29) of intensity 1; 0 when R is
+    // not baked.
     dvec3 albedo(dvec3 k) const;
 
     const Tables& tables() const { return *tables_; }

@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "core/bake/brdf_samples.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each kind of processor
 
+#include "core/bake/mirror_ways.h"
 #include "core/model/lane_columns-inl.h"
 #include "core/model/visible_facets.h"
 
@@ -57,6 +58,7 @@ void draw_some(const Brdf& brdf, std::span<const dvec3> k1, Random& random, std:
     const double diffuse = brdf.cosine_probability();
     std::array<dvec3, at_once> from, facets;
     std::array<std::size_t, at_once> index;
+    std::array<MirrorWay, at_once> ways;
     std::size_t count = 0;
     for (std::size_t i = 0; i < k1.size(); ++i) {
         samples[i].k2 = dvec3{0};
@@ -64,13 +66,14 @@ void draw_some(const Brdf& brdf, std::span<const dvec3> k1, Random& random, std:
         if (diffuse > 0 && uniform_random(random) < diffuse) {
             samples[i].k2 = cosine_sample(random);
         } else {
-            from[count] = k1[i];
+            ways[count] = draw_way(brdf.tables().shading, random);
+            from[count] = ways[count].entering(k1[i]);
             index[count++] = i;
         }
     }
     brdf.tables().distribution->visible_facets().draw({from.data(), count}, random, {facets.data(), count});
     for (std::size_t j = 0; j < count; ++j)
-        if (facets[j] != dvec3{0}) samples[index[j]].k2 = mirrored(from[j], facets[j]);
+        if (facets[j] != dvec3{0}) samples[index[j]].k2 = ways[j].leaving(mirrored(from[j], facets[j]));
 }
 
 // Samples below the horizon count as n, seen from n.

@@ -74,6 +74,7 @@ void sum_over_shares(const Shading<double>& material, const WeightedDirections& 
             const Real kept = shading.clamped_part(k, g);
             Lanes::Direction a = Lanes::known_direction(k, g, shading.albedo_of(k, g, albedo));
             if (shading.kinds.bounces()) a = shading.with_bounces(a, albedo, kept);
+            if (shading.kinds.retro) a = shading.with_turned(a);
             const Lanes::real3 share = shading.diffuse_share(a);
             const Lanes::real3 full = shading.colour_albedo_f1(albedo) * kept;
             values[0] = full.x;

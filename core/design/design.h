@@ -9,6 +9,7 @@
 #include "core/model/layer.h"
 #include "core/model/masking_models.h"
 #include "core/model/multibounce_models.h"
+#include "core/model/retro.h"
 
 namespace nacre {
 
@@ -32,6 +33,7 @@ struct Design {
     Diffuse diffuse = NoDiffuse{};
     Multibounce multibounce = NoMultibounce{};
     Specular specular;
+    Retro retro;
 
     bool operator==(const Design&) const = default;
 };

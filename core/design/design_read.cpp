@@ -70,6 +70,14 @@ Specular read_specular(const JsonValue& json) {
     return specular;
 }
 
+Retro read_retro(const JsonValue& json) {
+    ObjectReader reader(json);
+    Retro retro;
+    kind_detail::read_parameters(reader, retro);
+    reader.finish("retro-reflection");
+    return retro;
+}
+
 }  // namespace
 
 Design parse_work(std::string_view json_text, const std::string& file_name_for_errors,
@@ -87,6 +95,7 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
     if (reader.has("multibounce"))
         design.multibounce = read_model<Multibounce>(reader.at("multibounce"), "multibounce");
     if (reader.has("specular")) design.specular = read_specular(reader.at("specular"));
+    if (reader.has("retro")) design.retro = read_retro(reader.at("retro"));
     reader.finish("a design");
     if (has_distribution)
         design.distribution = read_distribution(reader.at("distribution"), absolute_folder(base_dir));

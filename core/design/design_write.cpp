@@ -226,6 +226,8 @@ std::string design_text(const Design& design, const Target& target) {
         text += fmt::format(",\n  \"multibounce\": {{{}}}", model_text(design.multibounce));
     if (design.specular != Specular{})
         text += fmt::format(",\n  \"specular\": {{\"intensity\": {}}}", number(design.specular.intensity));
+    if (design.retro != Retro{})
+        text += fmt::format(",\n  \"retro\": {{{}}}", fields_text(design.retro).substr(2));
     return text + "\n}\n";
 }
 
@@ -236,8 +238,9 @@ int version_of(const Design& design) {
     const bool newer = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
         return is_tinted(layer) || layer.source.has_value();
     });
-    return std::max({newer || design.specular != Specular{} ? 2 : 1, file_version(design.fresnel),
-                     file_version(design.multibounce)});
+    const bool extended = design.specular != Specular{} || design.retro != Retro{};
+    return std::max(
+        {newer || extended ? 2 : 1, file_version(design.fresnel), file_version(design.multibounce)});
 }
 
 std::string design_json(const Design& design, const fs::path& base_dir) {

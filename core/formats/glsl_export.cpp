@@ -6,6 +6,7 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/model/parameter_fields.h"
@@ -40,6 +41,7 @@ struct FieldList {
 // Without the fields that a design without some part does not have in its GLSL.
 bool has_field(const ShadingKinds& kinds, std::string_view field) {
     if (field == "tint") return kinds.tint != Tint::none;
+    if (field == "retro") return kinds.retro;
     constexpr std::string_view offsets[] = {"row_offset",       "factor_offset",    "spread_offset",
                                             "whole_offset",     "amplitude_offset", "sum_offset",
                                             "difference_offset"};

@@ -76,6 +76,8 @@ Json curve_json(const FresnelCurve& curve) {
 
 bool has_intensity(const Design& design) { return design.specular != Specular{}; }
 
+bool is_retro(const Design& design) { return design.retro.weight > 0; }
+
 Json material_json(const Design& design, const Tables& tables) {
     const auto& surface = tables.shading.surface;
     Json json;
@@ -88,6 +90,7 @@ Json material_json(const Design& design, const Tables& tables) {
     if (tables.bounces) add_model("multibounce", design.multibounce, json);
     if (tables.needs.albedo) json["coupling"] = numbers(surface.coupling);
     if (has_intensity(design)) json["specular_intensity"] = design.specular.intensity;
+    if (is_retro(design)) json["retro"] = design.retro.weight;
     if (tables.needs.tint == Tint::shared) json["tint"] = numbers(tables.shading.layers[0].tint);
     return json;
 }

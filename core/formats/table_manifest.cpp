@@ -194,11 +194,17 @@ const char* formula_of(const Variant& model) {
 }
 
 std::string specular_formula(const Design& design, Tint tint) {
-    const std::string once =
-        fmt::format("{}{}(h) F V/4", tint == Tint::shared ? "tint " : "", tint == Tint::varied ? "q" : "p");
     const char* const intensity = has_intensity(design) ? "specular_intensity " : "";
-    if (!has_bounces(design.multibounce)) return fmt::format("specular = {}{}", intensity, once);
-    return fmt::format("specular = {}({} + Fb1 Fb2 bounce_scale M)", intensity, once);
+    std::string mirrored =
+        fmt::format("{}{}(h) F V/4", tint == Tint::shared ? "tint " : "", tint == Tint::varied ? "q" : "p");
+    const bool bounces = has_bounces(design.multibounce);
+    if (bounces) mirrored += " + Fb1 Fb2 bounce_scale M";
+    if (!is_retro(design))
+        return fmt::format(bounces ? "specular = {}({})" : "specular = {}{}", intensity, mirrored);
+    return fmt::format(
+        "m = {}; specular = {}((1 - retro) m + 0.5 retro (mirrored(k1, T(k2)) + mirrored(T(k1), k2))): "
+        "mirrored(a, b) is m of k1 = a and k2 = b; T(k) = (-x, -y, z)",
+        mirrored, intensity);
 }
 
 Json brdf_json(const Design& design, Tint tint) {
@@ -217,10 +223,13 @@ Json brdf_json(const Design& design, Tint tint) {
 Json pictures_json(const std::vector<TablePicture>& pictures) {
     Json list = Json::array();
     for (const TablePicture& picture : pictures) {
-        Json json = {{"file", picture.file},     {"quantity", picture.quantity}, {"width", picture.size.x},
-                     {"height", picture.size.y}, {"channels", picture.channels}, {"x", picture.x}};
-        json["y"] = picture.y;
-        list.push_back(std::move(json));
+        list.push_back({{"file", picture.file},
+                        {"quantity", picture.quantity},
+                        {"width", picture.size.x},
+                        {"height", picture.size.y},
+                        {"channels", picture.channels},
+                        {"x", picture.x},
+                        {"y", picture.y}});
     }
     return list;
 }
@@ -259,6 +268,10 @@ std::string table_manifest(const Design& design, const Tables& tables,
     json["evaluate"] = evaluation_json(design, tables);
     if (tables.needs.albedo) add_fresnel_rules(tables, json);
     json["brdf"] = brdf_json(design, tables.needs.tint);
+    if (tables.needs.albedo && is_retro(design))
+        json["albedo_in_brdf"] =
+            "(1 - 0.5 retro) R(k) + 0.5 retro R(T(k)): what R(k) is in `brdf`, of R(k) as above; T(k) = (-x, "
+            "-y, z)";
     json["tables"] = pictures_json(pictures);
     json["texels"] = {
         {"w, v", "column i of n stands at i/(n-1): texels on both ends, not at centres"},

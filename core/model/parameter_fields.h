@@ -66,6 +66,7 @@ void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
     visit("bounce_scale", surfaces.bounce_scale...);
     visit("bounce_mean", surfaces.bounce_mean...);
     visit("bounce_even", surfaces.bounce_even...);
+    visit("retro", surfaces.retro...);  // in the GLSL of a retro-reflective design
 }
 
 // The surface and its layers from one struct of shading_members.inl to another, whatever their precision.

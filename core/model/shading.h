@@ -28,6 +28,7 @@ struct ShadingKinds {
     bool clamp = true;
     bool albedo = false;  // the tables hold R
     Tint tint = Tint::none;
+    bool retro = false;  // surface.retro is above 0
 
     constexpr FresnelTables fresnel_tables() const {
         return nacre::fresnel_tables(static_cast<std::size_t>(fresnel));

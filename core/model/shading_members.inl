@@ -27,6 +27,9 @@
 #define MULTIBOUNCE_IS(index) kinds.multibounce == index
 #define TINTED (kinds.tint != Tint::none)
 #define TINT_VARIES (kinds.tint == Tint::varied)
+#define HAS_RETRO 1
+#define IS_RETRO kinds.retro
+#define OR_ZERO {}
 
 static constexpr scalar LARGEST = std::numeric_limits<scalar>::max();
 
@@ -57,6 +60,7 @@ const float* curve = nullptr;  // F, where it is a table; owned by fresnel_curve
 #include "shaders/shared/lobes.glsl"
 #include "shaders/shared/tables.glsl"
 #include "shaders/shared/direction.glsl"
+#include "shaders/shared/retro.glsl"
 #include "core/model/masking_members.inl"
 #include "core/model/diffuse_members.inl"
 #include "shaders/shared/bounce_tables.glsl"
@@ -122,21 +126,44 @@ static Direction known_direction(real3 k, real g, real3 R) {
     return a;
 }
 
-// The density of k2 in Brdf::sample(), 1/sr; p that of the facets which mirror k1 into it, c2 its cosine.
-real sampled_density(real g1, real p, real c2) const {
-    const real mirrored = select(g1 > real(0.0), p / (real(4.0) * g1), real(0.0));
-    const real part = cosine_probability();
-    return (real(1.0) - part) * mirrored + part * (c2 / real(TABLE_PI));
+// How densely visible facets send k1 into k2, 1/sr; p that of those which mirror one into the other.
+static real facet_density(real g1, real p) {
+    return select(g1 > real(0.0), p / (real(4.0) * g1), real(0.0));
 }
 
-// brdf_of() and that density, from one look at p.
-void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& drawn) const {
+// The density of k2 in Brdf::sample(), 1/sr; `facets` that of the specular term, c2 its cosine.
+real sampled_density(real facets, real c2) const {
+    const real part = cosine_probability();
+    return (real(1.0) - part) * facets + part * (c2 / real(TABLE_PI));
+}
+
+// The specular term and that density of its samples, from one look at p.
+struct Mirrored {
+    real3 rho;
+    real drawn;
+};
+
+Mirrored mirrored(const Direction& a, const Direction& b) const {
     const HalfVector between = half_vector(a.k, b.k);
     const real p = select(between.exists, density(between.h), real(0.0));
-    rho = specular_of(a, b, between, p);
-    if (kinds.bounces()) rho += multibounce(a, b);
+    return {specular_of(a, b, between, p), facet_density(a.g, p)};
+}
+
+// The same of a retro-reflective design, whose samples are drawn in all its ways.
+Mirrored mirrored_in_all_ways(const Direction& a, const Direction& b) const {
+    const Mirrored plain = mirrored(a, b), before = mirrored(turned(a), b), after = mirrored(a, turned(b));
+    const real half(0.5), part(surface.retro);
+    return {retro_mixed(plain.rho, before.rho * half + after.rho * half),
+            (real(1.0) - part) * plain.drawn + part * (half * before.drawn + half * after.drawn)};
+}
+
+// brdf_of(), and the density of k2 in Brdf::sample().
+void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& drawn) const {
+    const Mirrored facets = kinds.retro ? mirrored_in_all_ways(a, b) : mirrored(a, b);
+    rho = facets.rho;
+    if (kinds.bounces()) rho += whole_multibounce(a, b);
     rho = rho * surface.ks + diffuse(a, b);
-    drawn = sampled_density(a.g, p, b.k.z);
+    drawn = sampled_density(facets.drawn, b.k.z);
 }
 
 #undef CONSTANT
@@ -164,6 +191,9 @@ void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& 
 #undef MULTIBOUNCE_IS
 #undef TINTED
 #undef TINT_VARIES
+#undef HAS_RETRO
+#undef IS_RETRO
+#undef OR_ZERO
 #undef EACH_LOBE
 #undef EACH_FRESNEL
 #undef EACH_MASKING

@@ -37,6 +37,8 @@ std::string words_of(Term term) {
             return "Specular \u03c1";
         case Term::multibounce:
             return "Bounces \u03c1";
+        case Term::retro:
+            return "Retro-reflected \u03c1";
         case Term::diffuse:
             return "Diffuse \u03c1";
         case Term::fresnel:

@@ -77,8 +77,12 @@ struct OptionalPart {
     bool used;
 };
 
-std::vector<OptionalPart> optional_parts(const ShadingKinds& kinds) {
-    return {{"HAS_TINT", kinds.tint != Tint::none}, {"HAS_MULTIBOUNCE", kinds.bounces()}};
+std::vector<OptionalPart> optional_parts(const ShaderVariant& variant) {
+    return {{"HAS_TINT", variant.kinds.tint != Tint::none},
+            {"HAS_MULTIBOUNCE", variant.kinds.bounces()},
+            {"HAS_RETRO", variant.kinds.retro},
+            {"SHOWS_MULTIBOUNCE", variant.term == Term::multibounce},
+            {"SHOWS_RETRO", variant.term == Term::retro}};
 }
 
 // The text with its lines `#if MACRO` to `#endif` and what is between them, or without: a design that does
@@ -101,8 +105,8 @@ std::string with_resolved(const std::string& text, const OptionalPart& part) {
     return result;
 }
 
-std::string with_parts_resolved(std::string text, const ShadingKinds& kinds) {
-    for (const OptionalPart& part : optional_parts(kinds)) text = with_resolved(text, part);
+std::string with_parts_resolved(std::string text, const ShaderVariant& variant) {
+    for (const OptionalPart& part : optional_parts(variant)) text = with_resolved(text, part);
     return text;
 }
 
@@ -165,6 +169,8 @@ std::string variant_definitions(const ShaderVariant& variant) {
         text += fmt::format(
             "#define BOUNCES true\n#define BOUNCE_FACTORS {}\n#define MULTIBOUNCE_IS(index) true\n",
             variant.kinds.bounce_factors());
+    if (variant.kinds.retro) text += "#define IS_RETRO true\n";
+    if (variant.kinds.retro || variant.kinds.bounces()) text += "#define OR_ZERO\n";
     // One model of each set is there.
     for (const char* fixed : {"FRESNEL_IS(index)", "FRESNEL_IS_LINEAR", "FRESNEL_IS_EXACT",
                               "MASKING_IS(index)", "DIFFUSE_IS(index)", "READS_ALBEDO"})
@@ -173,7 +179,7 @@ std::string variant_definitions(const ShaderVariant& variant) {
 }
 
 std::string shared_parameters(const ShaderVariant& variant) {
-    return with_parts_resolved(text_of("shared/parameters.glsl"), variant.kinds);
+    return with_parts_resolved(text_of("shared/parameters.glsl"), variant);
 }
 
 std::string shared_mathematics(const ShaderVariant& variant) {
@@ -193,14 +199,15 @@ std::string shared_mathematics(const ShaderVariant& variant) {
         bounces.functions = text_of("shared/bounce_tables.glsl") + "\n" + bounces.functions +
                             text_of("shared/multibounce.glsl");
     }
+    const std::string retro = kinds.retro ? text_of("shared/retro.glsl") + "\n" : "";
     std::string text;
     for (const std::string& part :
          {text_of("choice.glsl"), text_of("shared/fresnel.glsl"), fresnel.functions,
           text_of("shared/pictures.glsl"), lobe.functions, text_of("shared/lobes.glsl"),
           text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
-          diffuse.functions + bounces.functions, text_of("shared/brdf.glsl")})
+          diffuse.functions + bounces.functions, retro + text_of("shared/brdf.glsl")})
         text += part + "\n";
-    text = with_parts_resolved(std::move(text), kinds);
+    text = with_parts_resolved(std::move(text), variant);
     text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
     text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
     text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
@@ -209,17 +216,14 @@ std::string shared_mathematics(const ShaderVariant& variant) {
 }
 
 std::string fragment_shader(const ShaderVariant& variant, std::string_view main) {
-    const OptionalPart bounces{"SHOWS_MULTIBOUNCE", variant.term == Term::multibounce};
-    const auto resolved = [&](std::string_view name) {
-        return with_parts_resolved(with_resolved(text_of(name), bounces), variant.kinds);
-    };
     std::string text = "#version 330 core\n" + variant_definitions(variant) + shown_definitions(variant) +
                        shared_parameters(variant) + "\n" + text_of("uniforms.glsl") + "\n" +
                        shared_mathematics(variant) + "\n";
     if (is_factor(variant.term)) text += text_of("shared/terms.glsl") + "\n";
     if (variant.closed_form) text += text_of("shared/closed_forms.glsl") + "\n";
-    for (const std::string_view part : parts_of(variant, main)) text += resolved(part) + "\n";
-    return text + text_of(main);
+    for (const std::string_view part : parts_of(variant, main))
+        text += with_parts_resolved(text_of(part), variant) + "\n";
+    return text + with_parts_resolved(text_of(main), variant);
 }
 
 }  // namespace nacre

@@ -92,6 +92,8 @@ void describe_material(const Design& design, const FacetDistribution& facets, Sh
     surface.albedo = diffuse.albedo;
     surface.kd = diffuse.kd;
     surface.ks = diffuse.ks * design.specular.intensity;
+    surface.retro = design.retro.weight;
+    shading.kinds.retro = design.retro.weight > 0;
 }
 
 Reflectance reflectance_of(const Fresnel& fresnel) {

@@ -24,6 +24,9 @@ constexpr TermInfo terms[] = {
      "The light of one reflection at the facets: p N F/(4 g(k1) g(k2)) (eq. 26)."},
     {Term::multibounce, "multibounce", "Bounces",
      "The light of two or more reflections between the facets, in the model that the design has for it."},
+    {Term::retro, "retro", "Retro",
+     "The part of the specular term that goes back to where the light came from: weight [\u03c1(k1, T k2) + "
+     "\u03c1(T k1, k2)]/2, T half a turn about n."},
     {Term::diffuse, "diffuse", "Diffuse",
      "The light that enters and leaves again elsewhere; for the coupled model what the specular term leaves "
      "over (eq. 27 to 30)."},
@@ -59,6 +62,7 @@ bool is_factor(Term term) {
         case Term::total:
         case Term::specular:
         case Term::multibounce:
+        case Term::retro:
         case Term::diffuse:
             return false;
         case Term::density:
@@ -69,6 +73,11 @@ bool is_factor(Term term) {
             return true;
     }
     return false;
+}
+
+bool has_term(const ShadingKinds& kinds, Term term) {
+    if (term == Term::multibounce) return kinds.bounces();
+    return term != Term::retro || kinds.retro;
 }
 
 }  // namespace nacre

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/shading.h"
+
 namespace nacre {
 
 // Of a pair of directions, as shaders/shared/brdf.glsl and terms.glsl compute them.
@@ -14,6 +16,7 @@ enum class Term {
     total,          // the BRDF, 1/sr
     specular,       // its specular term with its weight, 1/sr
     multibounce,    // light of two or more bounces between facets, 1/sr
+    retro,          // what of the specular term goes back to where the light came from, 1/sr
     diffuse,        // everything else, 1/sr
     density,        // p(h), 1/sr
     masking1,       // P(k1)
@@ -37,5 +40,8 @@ std::vector<std::string> term_names();
 
 // Whether it is a factor of each pair of directions; the others are radiance, which sums over the lights.
 bool is_factor(Term term);
+
+// Whether a design of these kinds has the term; of one that does not it is 0.
+bool has_term(const ShadingKinds& kinds, Term term);
 
 }  // namespace nacre

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/study/kind_extremes.h"
+#include "core/study/retro_extremes.h"
 
 namespace nacre {
 namespace {
@@ -310,6 +311,7 @@ std::vector<ExtremeCase> extreme_cases() {
          {add_lobes, add_ratios, add_tilts, add_mixtures, add_pictures, add_scales, add_mean_cosines,
           add_visibilities, add_materials, add_intensities, add_tints, add_bounces})
         add(cases);
+    add_retro_extremes(cases);
     return cases;
 }
 

@@ -48,6 +48,13 @@ WalkEstimate estimate(const std::vector<Scores>& parts, int walks) {
     return result;
 }
 
+// (1 - part) a + part b.
+WalkEstimate mixed(double part, const WalkEstimate& a, const WalkEstimate& b) {
+    WalkEstimate sum{(1 - part) * a.mean + part * b.mean, dvec3{0}};
+    for (int c = 0; c < 3; ++c) sum.error[c] = std::hypot((1 - part) * a.error[c], part * b.error[c]);
+    return sum;
+}
+
 // Walks of light from k1, some at a time. see(walk, order) before each bounce, leave(walk, order) where light
 // comes out, score at a walk's index.
 template <class Visit>
@@ -84,7 +91,8 @@ dvec3 BounceOracle::reflectance(dvec3 h, double cosine) const {
     return shading.kinds.tint == Tint::none ? f : f * shading.facet_tint(h, shading.density(h));
 }
 
-WalkEstimate BounceOracle::albedo(dvec3 k1, const WalkEffort& effort, const std::stop_token& stop) const {
+WalkEstimate BounceOracle::forward_albedo(dvec3 k1, const WalkEffort& effort,
+                                          const std::stop_token& stop) const {
     if (k1.z <= 0) return {};
     const Shading<double>& shading = reference_.shading();
     WalkEstimate result = over_walks(
@@ -109,8 +117,8 @@ WalkEstimate BounceOracle::albedo(dvec3 k1, const WalkEffort& effort, const std:
     return {result.mean * factor, result.error * factor};
 }
 
-WalkEstimate BounceOracle::rho(dvec3 k1, dvec3 k2, const WalkEffort& effort,
-                               const std::stop_token& stop) const {
+WalkEstimate BounceOracle::forward_rho(dvec3 k1, dvec3 k2, const WalkEffort& effort,
+                                       const std::stop_token& stop) const {
     if (k1.z <= 0 || k2.z <= 0) return {};
     const Shading<double>& shading = reference_.shading();
     WalkEstimate result = over_walks(
@@ -142,6 +150,23 @@ WalkEstimate BounceOracle::rho(dvec3 k1, dvec3 k2, const WalkEffort& effort,
         });
     const double factor = std::sqrt(scale(k1, stop) * scale(k2, stop));
     return {result.mean * factor, result.error * factor};
+}
+
+WalkEstimate BounceOracle::rho(dvec3 k1, dvec3 k2, const WalkEffort& effort,
+                               const std::stop_token& stop) const {
+    const WalkEstimate forward = forward_rho(k1, k2, effort, stop);
+    const Shading<double>& shading = reference_.shading();
+    if (!shading.kinds.retro) return forward;
+    const WalkEstimate back = mixed(0.5, forward_rho(shading.turned(k1), k2, effort, stop),
+                                    forward_rho(k1, shading.turned(k2), effort, stop));
+    return mixed(shading.surface.retro, forward, back);
+}
+
+WalkEstimate BounceOracle::albedo(dvec3 k1, const WalkEffort& effort, const std::stop_token& stop) const {
+    const WalkEstimate forward = forward_albedo(k1, effort, stop);
+    const Shading<double>& shading = reference_.shading();
+    if (!shading.kinds.retro) return forward;
+    return mixed(0.5 * shading.surface.retro, forward, forward_albedo(shading.turned(k1), effort, stop));
 }
 
 // 1 - E under a masking, tints left out.

@@ -35,6 +35,9 @@ class BounceOracle {
     WalkEstimate albedo(dvec3 k1, const WalkEffort& effort = {}, const std::stop_token& stop = {}) const;
 
   private:
+    // Without retro-reflection.
+    WalkEstimate forward_rho(dvec3 k1, dvec3 k2, const WalkEffort& effort, const std::stop_token& stop) const;
+    WalkEstimate forward_albedo(dvec3 k1, const WalkEffort& effort, const std::stop_token& stop) const;
     dvec3 reflectance(dvec3 h, double cosine) const;
     double rest(dvec3 k, int masking, const std::stop_token& stop) const;
     double scale(dvec3 k, const std::stop_token& stop) const;

@@ -43,6 +43,7 @@ Reference::Reference(const Design& design)
                 .axis;
     channels_ = needs.fresnel_tables;
     round_ = needs.symmetry.symmetry == Symmetry::isotropic;
+    same_turned_ = round_ || needs.symmetry.symmetry == Symmetry::quarter;
     reads_albedo_ = nacre::reads_albedo(design.diffuse);
     bounces_ = has_bounces(design.multibounce);
     shading_.kinds.albedo = reads_albedo_;
@@ -78,9 +79,14 @@ dvec3 Reference::design_albedo(const AlbedoValues& values) const {
 }
 
 Shading<double>::Direction Reference::direction(dvec3 k, std::stop_token stop) const {
-    auto a = Shading<double>::known_direction(k, projected_area(k), dvec3{0});
-    if (reads_albedo_) a.R = design_albedo(albedo(k, stop));
+    const auto R = [&](dvec3 of) { return reads_albedo_ ? design_albedo(albedo(of, stop)) : dvec3{0}; };
+    auto a = Shading<double>::known_direction(k, projected_area(k), R(k));
     if (reads_albedo_ && bounces_) a.M = BounceOracle(*this).albedo(k, {.walks = walks_}, stop).mean;
+    if (!shading_.kinds.retro) return a;
+    const dvec3 turned = shading_.turned(k);
+    a.turned_g = same_turned_ ? a.g : projected_area(turned);
+    a.retro_R = 0.5 * (a.R + (same_turned_ ? a.R : R(turned)));
+    a.R = shading_.retro_mixed(a.R, a.retro_R);
     return a;
 }
 

@@ -59,6 +59,7 @@ class Reference {
     bool reads_albedo_;
     bool bounces_;
     int walks_ = 16384;
+    bool same_turned_;  // half a turn about n leaves p as it is
 };
 
 }  // namespace nacre

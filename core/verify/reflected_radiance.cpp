@@ -22,9 +22,18 @@ struct RadianceIntegral::View {
     Shading<double>::Direction viewer;
     double irradiance = 0;  // of the light's density
 
+    // What the viewer sees of facets in one of their ways.
+    dvec3 seen_from(const MirrorWay& way) const { return way.entering(viewer.k); }
+    double area(const MirrorWay& way) const { return way.before ? viewer.turned_g : viewer.g; }
+
     // Of k1, 1/sr: visible facets, and light as the surface sees it.
     double facet_density(dvec3 k1) const {
-        return viewer.g > 0 ? shading.density(glm::normalize(k1 + viewer.k)) / (4 * viewer.g) : 0;
+        double sum = 0;
+        for (const MirrorWay& way : mirror_ways(shading))
+            if (way.part > 0 && area(way) > 0)
+                sum += way.part * shading.density(glm::normalize(way.leaving(k1) + seen_from(way))) /
+                       (4 * area(way));
+        return sum;
     }
     double light_density(double density, double cosine) const {
         return irradiance > 0 ? density * cosine / irradiance : 0;
@@ -60,21 +69,21 @@ dvec3 RadianceIntegral::over_light(const View& view) const {
     return sum;
 }
 
-dvec3 RadianceIntegral::over_facets(const View& view) const {
+dvec3 RadianceIntegral::over_facets(const View& view, const MirrorWay& way) const {
     const int points = facet_points * fineness_;
-    const dvec3 k2 = view.viewer.k;
+    const dvec3 k2 = view.seen_from(way);
     dvec3 sum{0};
     const auto add = [&](const Facet& facet, double weight) {
         const double kh = glm::dot(k2, facet.h);
-        const dvec3 k1 = glm::normalize(2 * kh * facet.h - k2);
+        const dvec3 k1 = way.leaving(glm::normalize(2 * kh * facet.h - k2));
         if (kh <= 0 || k1.z <= 0 || facet.mass <= 0) return;
         const dvec3 radiance = radiance_at(environment_->picture, lat_long_place(view.frame * k1));
-        const double p = view.shading.density(glm::normalize(k1 + k2));
-        const double by_facets = p / (4 * view.viewer.g);
+        const double by_facets = view.facet_density(k1);
         const double by_light = view.light_density(environment_->light_density(radiance), k1.z);
         if (!(by_facets > 0)) return;
+        // dk1 = 4 (k2.h) dh, of which this way's facets are p dh.
         sum += view.reflected(k1) * radiance *
-               (weight * facet.mass * 4 * kh / p * (by_facets / (by_facets + by_light)));
+               (way.part * weight * facet.mass * kh / view.area(way) / (by_facets + by_light));
     };
     for (const PlacedLobe& placed : tables_->distribution->lobes())
         for (const LobeParameterization& span : placed.lobe->domains()) {
@@ -95,7 +104,10 @@ dvec3 RadianceIntegral::operator()(const glm::dmat3& frame, dvec3 k2) const {
     for (const Light& light : lights_)
         view.irradiance +=
             light.density * light.solid_angle * std::fmax(glm::dot(light.direction, frame[2]), 0.0);
-    return over_light(view) + (view.viewer.g > 0 ? over_facets(view) : dvec3{0});
+    dvec3 sum = over_light(view);
+    for (const MirrorWay& way : mirror_ways(view.shading))
+        if (way.part > 0 && view.area(way) > 0) sum += over_facets(view, way);
+    return sum;
 }
 
 }  // namespace nacre

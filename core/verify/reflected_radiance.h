@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/bake/brdf.h"
+#include "core/bake/mirror_ways.h"
 #include "core/light/environment.h"
 
 namespace nacre {
@@ -33,7 +34,7 @@ class RadianceIntegral {
     struct View;
 
     dvec3 over_light(const View& view) const;
-    dvec3 over_facets(const View& view) const;
+    dvec3 over_facets(const View& view, const MirrorWay& way) const;
 
     std::shared_ptr<const Tables> tables_;
     std::shared_ptr<const Environment> environment_;

@@ -41,8 +41,10 @@ SamplingCheck sample_at(const Brdf& brdf, dvec3 k, dvec3 albedo, Random random, 
         const auto sample = sampler(random);
         if (!sample) continue;
         sum += sample->weight;
-        const double cosine = std::fmin(0.5 * glm::length(k + sample->k2), 1.0);
-        const dvec3 f = brdf.tables().shading.fresnel(cosine);
+        const Shading<double>& shading = brdf.tables().shading;
+        dvec3 f = shading.fresnel(shading.half_vector(k, sample->k2).cosine);
+        if (shading.kinds.retro)
+            f = glm::max(f, shading.fresnel(shading.half_vector(shading.turned(k), sample->k2).cosine));
         for (int c = 0; c < 3; ++c)
             if (f[c] > 0) check.weight = worse_error(check.weight, sample->weight[c] / f[c] - 1);
     }

@@ -8,8 +8,9 @@
 namespace nacre {
 
 struct SamplingCheck {
-    double weight = 0;  // largest weight/F(k.h) - 1 of a specular sample
-    double mean = 0;    // largest |mean weight - R|
+    double weight =
+        0;            // largest weight/F(k.h) - 1 of a specular sample; F that of the way which reflects most
+    double mean = 0;  // largest |mean weight - R|
     int directions = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/bake/bake.h"
 #include "core/bake/brdf.h"
+#include "core/bake/mirror_ways.h"
 #include "core/model/span_facet.h"
 #include "core/verify/direction_bins.h"
 #include "core/verify/effort.h"
@@ -57,22 +58,45 @@ dvec3 cosine_point(int i) {
     return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - square)};
 }
 
-// Shares of the pdf at k1. Facets and cosine each cover what the other misses: a point's share is the pdf
-// over the density of all points there (the balance heuristic, Veach & Guibas 1995).
+// One way of the specular term from one k1, by p itself.
+struct WayFrom {
+    MirrorWay way;
+    dvec3 k1;  // as facets see it
+    double g;
+
+    double density(const FacetDistribution& distribution, dvec3 k2) const {
+        return distribution.density(glm::normalize(k1 + way.leaving(k2))) / (4 * g);
+    }
+};
+
+// Those that are gone and find facets.
+std::vector<WayFrom> ways_from(const Tables& tables, dvec3 k1) {
+    std::vector<WayFrom> ways;
+    for (const MirrorWay& way : mirror_ways(tables.shading)) {
+        const dvec3 from = way.entering(k1);
+        const double g = tables.distribution->projected_area(from);
+        if (way.part > 0 && g > 0) ways.push_back({way, from, g});
+    }
+    return ways;
+}
+
+// Shares of the pdf at k1. Facets in each way and cosine all cover what the others miss: a point's share is
+// the pdf over the density of all points there (the balance heuristic, Veach & Guibas 1995).
 std::vector<DirectionShare> shares_at(const Brdf& brdf, dvec3 k1) {
     const FacetDistribution& distribution = *brdf.tables().distribution;
-    const double g = distribution.projected_area(k1);
+    const std::vector<WayFrom> ways = ways_from(brdf.tables(), k1);
     const bool with_cosine = brdf.cosine_probability() > 0;
     std::vector<DirectionShare> shares;
     auto add = [&](dvec3 k2, double points) {
         if (!(k2.z > 0)) return;
         double density = with_cosine ? cosine_density(k2) : 0;
-        if (g > 0) density += distribution.density(glm::normalize(k1 + k2)) / (4 * g);
+        for (const WayFrom& way : ways) density += way.density(distribution, k2);
         if (density > 0) shares.push_back({k2, points * brdf.pdf(k1, k2) / density});
     };
-    if (g > 0)
-        for (const Facet& facet : visible_facets(distribution, k1))
-            add(glm::normalize(2 * glm::dot(k1, facet.h) * facet.h - k1), facet.mass);
+    for (const WayFrom& way : ways)
+        for (const Facet& facet : visible_facets(distribution, way.k1))
+            add(way.way.leaving(glm::normalize(2 * glm::dot(way.k1, facet.h) * facet.h - way.k1)),
+                facet.mass);
     if (with_cosine)
         for (int i = 0; i < cosine_points; ++i) add(cosine_point(i), 1.0 / cosine_points);
     return shares;
@@ -117,10 +141,12 @@ class Comparison {
 Comparison compare_at(const Brdf& brdf, dvec3 k1, const DirectionSource& source, Random random,
                       const std::stop_token& stop) {
     const Tables& tables = brdf.tables();
-    const double g = tables.distribution->projected_area(k1);
     // The pdf reads g from the tables, samples follow p itself.
-    const double read = tables.shading.projected_area(k1, tables.shading.table_spot(k1));
-    const double slack = g > 0 && read > 0 ? std::fabs(g / read - 1) : 0;
+    double slack = 0;
+    for (const WayFrom& way : ways_from(tables, k1)) {
+        const double read = tables.shading.projected_area(way.k1, tables.shading.table_spot(way.k1));
+        if (read > 0) slack = std::max(slack, std::fabs(way.g / read - 1));
+    }
     std::vector<DirectionShare> shares = shares_at(brdf, k1);
     double all = 0, all_variance = 0;
     for (const DirectionShare& share : shares) {

@@ -64,6 +64,34 @@ real3 specular(Direction a, Direction b) READS {
     return specular_of(a, b, between, density(between.h));
 }
 
+#if HAS_RETRO
+// rho_r = [rho(k1, T k2) + rho(T k1, k2)]/2, see retro.glsl.
+real3 retro_specular(Direction a, Direction b) READS {
+    return specular(turned(a), b) * real(0.5) + specular(a, turned(b)) * real(0.5);
+}
+
+#endif
+// With the part of it that the design sends back.
+real3 whole_specular(Direction a, Direction b) READS {
+#if HAS_RETRO
+    if (IS_RETRO) return retro_mixed(specular(a, b), retro_specular(a, b));
+#endif
+    return specular(a, b);
+}
+
+#if HAS_MULTIBOUNCE
+// The same of more bounces, so that energy is conserved for every p.
+real3 whole_multibounce(Direction a, Direction b) READS {
+#if HAS_RETRO
+    if (IS_RETRO) {
+        real3 back = multibounce(turned(a), b) * real(0.5) + multibounce(a, turned(b)) * real(0.5);
+        return retro_mixed(multibounce(a, b), back);
+    }
+#endif
+    return multibounce(a, b);
+}
+
+#endif
 // The part of a diffuse term that one direction brings, 0 to 1, by the model of shaders/diffuse/.
 real3 diffuse_share(Direction a) READS {
     real3 share = real3(0.0);
@@ -134,6 +162,43 @@ real3 albedo_of(real3 k, real g, AlbedoSpot spot) READS {
 }
 #endif
 
+#if HAS_RETRO
+#if HAS_MULTIBOUNCE
+// With what bounces need of T k, whose g is known.
+Direction with_turned_bounces(Direction a) READS {
+    Direction other = a;
+    other.k = turned(a.k);
+    if (surface.tables.symmetry == SYMMETRY_HALF || surface.tables.symmetry == SYMMETRY_NONE)
+        other = with_bounces(other, albedo_spot(other.k, table_spot(other.k)), clamped_part(other.k, a.turned_g));
+    a.turned_amplitude = other.amplitude;
+    a.turned_rest = other.rest;
+    a.turned_bounce_F = other.bounce_F;
+    a.M = retro_mixed(a.M, (a.M + other.M) * real(0.5));
+    return a;
+}
+
+#endif
+// With what is known of T k. Where two mirror planes stand on n it sees the same.
+Direction with_turned(Direction a) READS {
+    real3 turned_R = a.R;
+    a.turned_g = a.g;
+    if (surface.tables.symmetry == SYMMETRY_HALF || surface.tables.symmetry == SYMMETRY_NONE) {
+        real3 k = turned(a.k);
+        TableSpot spot = table_spot(k);
+        a.turned_g = projected_area(k, spot);
+#if HAS_ALBEDO
+        if (READS_ALBEDO) turned_R = albedo_of(k, a.turned_g, albedo_spot(k, spot));
+#endif
+    }
+#if HAS_MULTIBOUNCE
+    if (BOUNCES) a = with_turned_bounces(a);
+#endif
+    a.retro_R = (a.R + turned_R) * real(0.5);
+    a.R = retro_mixed(a.R, a.retro_R);
+    return a;
+}
+
+#endif
 // Reads the tables for k, which is above the horizon.
 Direction direction(real3 k) READS {
     Direction a;
@@ -141,14 +206,14 @@ Direction direction(real3 k) READS {
     a.k = k;
     a.g = projected_area(k, spot);
     a.R = real3(0.0);
-#if HAS_MULTIBOUNCE
-    a.M = real3(0.0);
-#endif
 #if HAS_ALBEDO
     if (READS_ALBEDO) a.R = albedo_of(k, a.g, albedo_spot(k, spot));
 #endif
 #if HAS_MULTIBOUNCE
     if (BOUNCES) a = with_bounces(a, albedo_spot(k, spot), clamped_part(k, a.g));
+#endif
+#if HAS_RETRO
+    if (IS_RETRO) return with_turned(a);
 #endif
     return a;
 }
@@ -174,7 +239,10 @@ real3 total_albedo(Direction a) READS {
 
 real3 brdf_of(Direction a, Direction b) READS {
 #if HAS_MULTIBOUNCE
-    if (BOUNCES) return (specular(a, b) + multibounce(a, b)) * surface.ks + diffuse(a, b);
+    if (BOUNCES) return (whole_specular(a, b) + whole_multibounce(a, b)) * surface.ks + diffuse(a, b);
+#endif
+#if HAS_RETRO
+    if (IS_RETRO) return whole_specular(a, b) * surface.ks + diffuse(a, b);
 #endif
     return specular(a, b) * surface.ks + diffuse(a, b);
 }

@@ -4,10 +4,19 @@ struct Direction {
     real g;    // eq. 18
     real3 R;   // eq. 29; 0 when no diffuse term reads it
 #if HAS_MULTIBOUNCE
-    real amplitude;  // a of a fitted model; see multibounce.glsl
-    real rest;       // e
-    real3 bounce_F;  // F(k) of light that bounces on
-    real3 M;         // albedo of two and more bounces
+    real amplitude OR_ZERO;  // a of a fitted model; see multibounce.glsl
+    real rest OR_ZERO;       // e
+    real3 bounce_F OR_ZERO;  // F(k) of light that bounces on
+    real3 M OR_ZERO;         // albedo of two and more bounces
+#endif
+#if HAS_RETRO
+    real turned_g OR_ZERO;  // of T k
+    real3 retro_R OR_ZERO;  // of the retro-reflective form; R is that of the mixture
+#if HAS_MULTIBOUNCE
+    real turned_amplitude OR_ZERO;
+    real turned_rest OR_ZERO;
+    real3 turned_bounce_F OR_ZERO;
+#endif
 #endif
 };
 

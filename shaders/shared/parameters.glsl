@@ -67,4 +67,7 @@ struct Surface {
     scalar3 bounce_mean;  // F(k) in the mean over e
     scalar bounce_even;   // 1/(pi <e>)
 #endif
+#if HAS_RETRO
+    scalar retro;         // weight of retro-reflection in the specular term
+#endif
 };

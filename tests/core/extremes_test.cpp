@@ -109,11 +109,12 @@ TEST_CASE("every visibility, with and without clamp") { check_group("visibility"
 TEST_CASE("extreme reflectances under every diffuse term") { check_group("materials"); }
 TEST_CASE("intensities from none to the most") { check_group("intensity"); }
 TEST_CASE("tints that differ as much as they can") { check_group("tints"); }
+TEST_CASE("light that goes back from p that lean") { check_group("retro"); }
 
 TEST_CASE("no case stands outside the groups that are tested, and names are told apart") {
     std::size_t count = 0;
     for (const char* group : {"lobes", "ratios", "tilts", "mixtures", "pictures", "scales", "mean cosine",
-                              "visibility", "materials", "intensity", "tints"})
+                              "visibility", "materials", "intensity", "tints", "retro"})
         count += cases_of(group).size();
     std::vector<std::string> names;
     for (const ExtremeCase& extreme : extreme_cases()) names.push_back(extreme.group + extreme.name);

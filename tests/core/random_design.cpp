@@ -166,6 +166,7 @@ Design random_design(const std::vector<Picture>& files) {
     const bool may_bounce = design.shadowing.clamp && !std::holds_alternative<MetalDiffuse>(design.diffuse);
     if (may_bounce && coin()) design.multibounce = random_kind<Multibounce>();
     if (coin()) design.specular.intensity = number(0, limits::intensity_max);
+    if (coin()) RandomParameter{files}.fill(design.retro);
     return design;
 }
 

@@ -13,6 +13,7 @@
 #include "core/model/float_shading.h"
 #include "core/verify/physics_check.h"
 #include "core/verify/reference.h"
+#include "tests/core/integrated.h"
 #include "tests/core/random_directions.h"
 #include "tests/core/tinted_designs.h"
 #include "tests/core/user_error_of.h"
@@ -27,25 +28,6 @@ using std::numbers::pi;
 constexpr dvec3 white{1};
 
 Design parse(const std::string& text) { return parse_design(text, "test.nacre", "/"); }
-
-// Integral of rho(k, k') c' dk', each colour: midpoints of theta and phi.
-dvec3 integrated(const Brdf& brdf, dvec3 k, Term term) {
-    constexpr int polar_steps = 240, azimuths = 480;
-    dvec3 sum{0};
-    for (int i = 0; i < polar_steps; ++i) {
-        const double theta = 0.5 * pi * (i + 0.5) / polar_steps;
-        dvec3 ring{0};
-        for (int j = 0; j < azimuths; ++j)
-            ring += brdf.evaluate(k, polar(std::cos(theta), 2 * pi * (j + 0.5) / azimuths), term);
-        sum += ring * (std::cos(theta) * std::sin(theta) * (0.5 * pi / polar_steps) * (2 * pi / azimuths));
-    }
-    return sum;
-}
-
-double apart(dvec3 a, dvec3 b) {
-    const dvec3 d = glm::abs(a - b);
-    return std::max({d.x, d.y, d.z});
-}
 
 const dvec3 probes[] = {{0, 0, 1}, polar(0.8, 0.4), polar(0.5, 3.0), polar(0.2, 1.3), polar(0.1, 2.8)};
 

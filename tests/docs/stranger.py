@@ -45,7 +45,7 @@ class Stranger:
                                       for part in ("constants", "material") for key, value in self.manifest[part].items()}}
         if "fresnel_curve" in self.known:
             self.known["fresnel_curve"] = functools.partial(rows_at, self.known["fresnel_curve"])
-        self.known.update(turns=turns, F=self.fresnel, p=self.p, q=self.q, R=lambda k: self.direction(k)["R"])
+        self.known.update(turns=turns, F=self.fresnel, p=self.p, q=self.q, T=lambda k: k * [-1, -1, 1], R=self.albedo, mirrored=self.mirrored)
         for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual"), *((name, name) for name in ("whole", "factor", "brought", "spread"))):
             self.known[name] = lambda at, row, quantity=quantity: self.look_up(quantity, at, row)
 
@@ -126,18 +126,32 @@ class Stranger:
         x, y = self.value(rule(table["x"]), {"x_prime": x, "y_prime": y}), self.value(rule(table["y"]) or "0", {"x_prime": x, "y_prime": y})
         column, row = ((v + 2) / 4 * (n - 1) if "-2" in said else v / 2 * (n - 1)
                        for v, n, said in ((x, texels.shape[1], table["x"]), (y, len(texels), table["y"])))
-        return bilinear(texels, min(column, texels.shape[1] - 1), row, min(int(row) + 1, len(texels) - 1))
+        column, row = min(column, texels.shape[1] - 1), min(row, len(texels) - 1)
+        return bilinear(texels, column, row, min(int(row) + 1, len(texels) - 1))
 
-    def brdf(self, k1, k2):
-        if k1[2] <= 0 or k2[2] <= 0:
-            return np.zeros(3)
+    def albedo(self, k):
+        plain = lambda k: self.direction(k)["R"]
+        said = self.manifest.get("albedo_in_brdf", "R(k)")
+        return self.value(said.split(": ")[0], {"k": k, "R": plain})
+
+    def mirrored(self, k1, k2):
+        steps = self.manifest["brdf"]
+        until = next(index for index, step in enumerate(steps) if step.startswith("m = "))
+        return self.follow([*steps[:until], steps[until].split("; ")[0]], self.pair(k1, k2))["m"]
+
+    def pair(self, k1, k2):
         scope = {"k1": k1, "k2": k2}
         for index, k in (("1", k1), ("2", k2)):
             x, y = k[:2] if k[0] or k[1] else self.known["axis"]
             own = self.direction(k)
             scope.update({name + index: own[name] for name in ("g", "a", "e", "Fb") if name in own})
             scope.update({"x" + index: x, "y" + index: y, "z" + index: k[2]})
-        return np.broadcast_to(self.follow(self.manifest["brdf"], scope)["rho"], 3)
+        return scope
+
+    def brdf(self, k1, k2):
+        if k1[2] <= 0 or k2[2] <= 0:
+            return np.zeros(3)
+        return np.broadcast_to(self.follow(self.manifest["brdf"], self.pair(k1, k2))["rho"], 3)
 
 
 def rows_at(rows, place):

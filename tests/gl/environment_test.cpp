@@ -85,6 +85,22 @@ TEST_CASE("the picture converges to core's integral") {
     }
 }
 
+TEST_CASE("a retro-reflective picture converges to core's integral") {
+    const auto context = make_offscreen_context({16, 16});
+    Preview preview;
+    const ViewedPoints points(preview, 16, 20);
+    Design narrow = design_of(BeckmannLobe{0.05, 0.1}, 15, 30);
+    narrow.retro.weight = 0.6;
+    const auto tables = bake(narrow);
+    preview.set(tables);
+    const auto light = environment("studio", 256);
+    const auto exact = integrals(points, tables, light, 2);
+    const double coarse = relative_error(accumulated(preview, points, light, 64), exact);
+    const double fine = relative_error(accumulated(preview, points, light, 1024), exact);
+    CHECK(fine < 0.01);
+    CHECK(fine < 0.5 * coarse);
+}
+
 TEST_CASE("a mirror shows each side of the environment on its own side") {
     const auto context = make_offscreen_context({16, 16});
     Design mirror = design_of(BeckmannLobe{0.01, 0.01});

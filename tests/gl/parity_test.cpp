@@ -65,6 +65,14 @@ std::vector<NamedDesign> designs() {
     all.push_back({"metal of two tints", velvet});
     velvet.distribution.layers[1].tint = velvet.distribution.layers[0].tint;
     all.push_back({"metal of one tint", velvet});
+    // Light that goes back, of p that half a turn changes and of one that it does not.
+    Design dusty = with_layer(design_of(GgxLobe{0.2, 0.4}, 25, 40), GaussianLobe{0.3, 0.3}, 0.5, 20, 160);
+    dusty.diffuse = CoupledDiffuse{};
+    dusty.retro.weight = 0.4;
+    all.push_back({"lopsided and retro-reflective", dusty});
+    Design sign = design_of(GgxLobe{0.2, 0.4});
+    sign.retro.weight = 1;
+    all.push_back({"retro-reflective", sign});
     // Every kind there is.
     using Materials = KindSet<Fresnel>;
     for (std::size_t i = 0; i < std::max(KindSet<Lobe>::count, Materials::count); ++i) {

@@ -23,6 +23,17 @@ TEST_CASE("material: kd + ks never exceeds 1") {
     CHECK(lambertian.ks == 0);
 }
 
+TEST_CASE("material: no more than everything goes back to where it came from") {
+    Retro retro;
+    PanelRig rig([&] { ui::retro_panel(retro); });
+    rig.drag("Retro-reflection", {0.01f, 0.5f}, {0.5f, 0.5f});
+    CHECK(retro.weight == doctest::Approx(0.5).epsilon(0.05));
+    rig.enter_number("Retro-reflection", "1.5");
+    CHECK(retro.weight <= 1);
+    rig.enter_number("Retro-reflection", "0.25");
+    CHECK(retro.weight == 0.25);
+}
+
 TEST_CASE("material: changing the diffuse model keeps the colour") {
     const glm::dvec3 albedo(0.4, 0.05, 0.1);
     Diffuse diffuse = CoupledDiffuse{albedo};

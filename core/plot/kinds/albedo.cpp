@@ -19,9 +19,15 @@ struct AlbedoAt {
 
 AlbedoAt albedo_at(const Tables& tables, dvec3 k) {
     k.z = std::max(k.z, 0.0);
-    const AlbedoValues v = read_albedo(tables.shading, k, tables.needs.fresnel_tables);
+    const Shading<double>& shading = tables.shading;
+    AlbedoValues v = read_albedo(shading, k, tables.needs.fresnel_tables);
+    if (shading.kinds.retro) {
+        const AlbedoValues behind = read_albedo(shading, shading.turned(k), tables.needs.fresnel_tables);
+        const double part = 0.5 * shading.surface.retro;
+        for (std::size_t i = 0; i < v.size(); ++i) v[i] += part * (behind[i] - v[i]);
+    }
     const bool varied = tables.needs.tint == Tint::varied;
-    return {.material = tables.shading.direction(k).R,
+    return {.material = shading.direction(k).R,
             .zero = varied ? luminance({v[3], v[4], v[5]}) : v[1],
             .one = varied ? luminance({v[0], v[1], v[2]}) : v[0]};
 }
