@@ -14,6 +14,9 @@ constexpr int walks_at_once = 1024;
 // is left out of the shape of what comes back, not of its sum.
 constexpr int bounces_max = 400;
 
+// Of all walks of a set: fewer walks where each is long.
+constexpr double bounces_in_all = 1.5e6;
+
 // What one walk met between its first bounce and its last.
 struct Met {
     dvec3 tint{0}, schlick{0}, fresnel{0};
@@ -28,6 +31,7 @@ struct Met {
 
 struct Part {
     std::vector<BouncePair> pairs;
+    int bounces = 0;
     int second = 0;
     int between = 0;  // bounces that `met` sums over
     Met met;
@@ -51,6 +55,7 @@ class Walker {
             walks.bounce(
                 random,
                 [&](const FacetWalks::Walk& walk, dvec3 h) {
+                    ++part.bounces;
                     if (order < 2) return;
                     before[walk.index] += last[walk.index];
                     last[walk.index] = met(walk, h);
@@ -89,12 +94,17 @@ class Walker {
 
 BounceWalks walk_bounces(const Shading<double>& shading, const FacetDistribution& distribution, int walks,
                          std::uint64_t seed, Workers& workers) {
-    const int count = (walks + walks_at_once - 1) / walks_at_once;
-    std::vector<Part> parts(static_cast<std::size_t>(count));
     const Walker walker(shading, distribution);
-    workers.for_each(count, [&](int i) {
-        const int some = std::min(walks_at_once, walks - i * walks_at_once);
-        parts[static_cast<std::size_t>(i)] = walker(some, (seed << 32) + static_cast<std::uint64_t>(i));
+    std::vector<Part> parts(1);
+    workers.for_each(1, [&](int) { parts[0] = walker(std::min(walks_at_once, walks), seed << 32); });
+    const double mean = parts[0].bounces / static_cast<double>(std::min(walks_at_once, walks));
+    walks = std::min(walks, std::max(static_cast<int>(bounces_in_all / std::max(mean, 1.0)), walks_at_once));
+    const int count = (walks + walks_at_once - 1) / walks_at_once;
+    parts.resize(static_cast<std::size_t>(count));
+    workers.for_each(count - 1, [&](int i) {
+        const int some = std::min(walks_at_once, walks - (i + 1) * walks_at_once);
+        parts[static_cast<std::size_t>(i + 1)] =
+            walker(some, (seed << 32) + static_cast<std::uint64_t>(i + 1));
     });
     BounceWalks all{.walks = walks};
     Met met;

@@ -24,8 +24,9 @@ struct BounceWalks {
     dvec3 tint{1}, schlick{0}, fresnel{1};
 };
 
-// `shading` holds the design with its tables of g and its layers; walks of another seed have nothing in
-// common. The same for any number of threads. Throws BakeCancelled.
+// At most so many walks, fewer where light bounces for long. `shading` holds the design with its tables of g
+// and its layers; walks of another seed have nothing in common. The same for any number of threads. Throws
+// BakeCancelled.
 BounceWalks walk_bounces(const Shading<double>& shading, const FacetDistribution& distribution, int walks,
                          std::uint64_t seed, Workers& workers);
 

@@ -23,9 +23,10 @@ constexpr int sweeps = 4;                              // of a's scaling, a roun
 constexpr int sweeps_last = 80;                        // once the tables stand
 constexpr int few = 512, several = 2048, many = 8192;  // directions that a row is summed over
 constexpr double least = 1e-4, most = 10;  // of a: where what is to come back fits no walk it would run away
-constexpr double grazing = 0.15;  // a cosine, below which what comes back turns faster than the tables can
-constexpr int compared = 500;     // directions by which the tables are measured
-constexpr int watched = 4096;     // directions in which no more may come back than is to
+constexpr double grazing = 0.15;    // a cosine, below which what comes back turns faster than the tables can
+constexpr double smoothing = 0.04;  // of a texel to each of those beside it, a round
+constexpr int compared = 500;       // directions by which the tables are measured
+constexpr int watched = 4096;       // directions in which no more may come back than is to
 constexpr std::size_t pairs_fitted = 262144;  // of directions that the whole is summed over
 constexpr double floor_part = 0.001;  // of the kernel, the same everywhere: a's scaling then has a solution
 
@@ -97,6 +98,8 @@ class Fit {
         for (int round = 0; round < rounds && !seen.empty(); ++round) {
             workers_.check();
             likelier(seen, anywhere, all, static_cast<double>(walks.walks));
+            smooth_table(texels_, 0, momentum_size(shading_, false), smoothing);
+            smooth_table(texels_, sum_size_, momentum_size(shading_, true), smoothing);
             if (round % 2 == 1) scale(directions, sweeps);
         }
         if (seen.empty()) texels_.assign(texels_.size(), 0.0);

@@ -114,4 +114,18 @@ std::vector<dvec3> momentum_rows(const Shading<double>& shading, const Stretched
     return rows;
 }
 
+void smooth_table(std::vector<double>& texels, int first, glm::ivec2 size, double part) {
+    const std::vector<double> before = texels;
+    const auto index = [&](int column, int row) {
+        const int x = std::clamp(column, 0, size.x - 1), y = std::clamp(row, 0, size.y - 1);
+        return static_cast<std::size_t>(first + y * size.x + x);
+    };
+    for (int row = 0; row < size.y; ++row)
+        for (int column = 0; column < size.x; ++column) {
+            double& texel = texels[index(column, row)];
+            for (const glm::ivec2 off : {glm::ivec2{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+                texel += part * (before[index(column + off.x, row + off.y)] - before[index(column, row)]);
+        }
+}
+
 }  // namespace nacre

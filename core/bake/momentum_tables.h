@@ -21,6 +21,10 @@ double misplaced_energy(const Shading<double>& shading, const BounceWalks& walks
 std::vector<dvec3> momentum_rows(const Shading<double>& shading, const StretchedGrid& grid,
                                  const std::function<dvec3(dvec3)>& factor, Workers& workers);
 
+// Gives a part of each texel of the table that begins at `first` to each of those beside it. Once in every
+// round of a fit (Silverman et al. 1990) it leaves what walks show again and again, and takes their noise.
+void smooth_table(std::vector<double>& texels, int first, glm::ivec2 size, double part);
+
 // Columns and rows of a momentum table.
 glm::ivec2 momentum_size(const Shading<double>& shading, bool difference);
 

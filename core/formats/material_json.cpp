@@ -1,13 +1,11 @@
 #include "core/formats/material_json.h"
 
-#include <nlohmann/json.hpp>
+#include "core/formats/json_numbers.h"
 
 namespace nacre {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numbers(dvec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 // One parameter of a model, as its list has it.
 template <class T>
@@ -16,11 +14,11 @@ void add_parameter(const T& model, const NumberParameter<T>& parameter, Json& js
 }
 template <class T>
 void add_parameter(const T& model, const ColourParameter<T>& parameter, Json& json) {
-    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
+    json[std::string(parameter.text.table_key())] = json_numbers(model.*parameter.member);
 }
 template <class T>
 void add_parameter(const T& model, const TripleParameter<T>& parameter, Json& json) {
-    json[std::string(parameter.text.table_key())] = numbers(model.*parameter.member);
+    json[std::string(parameter.text.table_key())] = json_numbers(model.*parameter.member);
 }
 
 template <class T, class Enum, std::size_t count>
@@ -86,12 +84,13 @@ Json material_json(const Design& design, const Tables& tables) {
     add_model("shadowing", design.shadowing.model, json);
     json["clamp"] = design.shadowing.clamp;
     add_model("diffuse", design.diffuse, json);
-    if (!std::holds_alternative<NoDiffuse>(design.diffuse)) json["diffuse_albedo"] = numbers(surface.albedo);
+    if (!std::holds_alternative<NoDiffuse>(design.diffuse))
+        json["diffuse_albedo"] = json_numbers(surface.albedo);
     if (tables.bounces) add_model("multibounce", design.multibounce, json);
-    if (tables.needs.albedo) json["coupling"] = numbers(surface.coupling);
+    if (tables.needs.albedo) json["coupling"] = json_numbers(surface.coupling);
     if (has_intensity(design)) json["specular_intensity"] = design.specular.intensity;
     if (is_retro(design)) json["retro"] = design.retro.weight;
-    if (tables.needs.tint == Tint::shared) json["tint"] = numbers(tables.shading.layers[0].tint);
+    if (tables.needs.tint == Tint::shared) json["tint"] = json_numbers(tables.shading.layers[0].tint);
     return json;
 }
 

@@ -7,80 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/design/design_check.h"
+#include "core/formats/distribution_json.h"
 #include "core/formats/error_json.h"
+#include "core/formats/json_numbers.h"
 #include "core/formats/material_json.h"
 
 namespace nacre {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Shader = Shading<double>;
-
-Json numbers(dvec2 v) { return Json::array({v.x, v.y}); }
-Json numbers(dvec3 v) { return Json::array({v.x, v.y, v.z}); }
-
-// `lobe` is what the layer was made of; (i, j) in its formula is inverse_width.
-Json layer_json(const Tables& tables, int index, const Lobe& lobe) {
-    const Shader::Layer& layer = tables.shading.layers[index];
-    Json json = {{"kind", std::visit([](const auto& kind) { return kind.table_kind(); }, lobe)},
-                 {"lobe", std::visit([](const auto& kind) { return kind.formula(); }, lobe)},
-                 {"scale", layer.scale},
-                 {"axis_x", numbers(layer.axis_x)},
-                 {"axis_y", numbers(layer.axis_y)},
-                 {"axis_z", numbers(layer.axis_z)},
-                 {"inverse_width", numbers(layer.inverse_width)}};
-    if (tables.needs.tint == Tint::varied) json["tint"] = numbers(layer.tint);
-    if (std::holds_alternative<CurveLobe>(lobe)) {
-        Json curve = Json::array();
-        for (int i = 0; i < layer.data_size; ++i) {
-            const auto at = static_cast<std::size_t>(layer.data_offset + 2 * i);
-            curve.push_back({tables.data[at], tables.data[at + 1]});
-        }
-        json["curve"] = std::move(curve);
-    }
-    if (holds_picture(lobe)) json["picture"] = layer_picture_file(index, "painted");
-    if (layer.picture_size > 0) {
-        json["modulation"] = layer_picture_file(index, "modulation");
-        json["modulation_strength"] = layer.picture_strength;
-    }
-    return json;
-}
-
-// The lobes of the shader's layers, in their order.
-std::vector<const Lobe*> lobes_in_use(const Distribution& distribution) {
-    std::vector<const Lobe*> lobes;
-    for (const Layer& layer : distribution.layers)
-        if (counts(layer)) lobes.push_back(&layer.lobe);
-    return lobes;
-}
-
-Json distribution_json(const Design& design, const Tables& tables) {
-    const std::vector<const Lobe*> lobes = lobes_in_use(design.distribution);
-    Json layers = Json::array();
-    for (int i = 0; i < tables.shading.layer_count; ++i)
-        layers.push_back(layer_json(tables, i, *lobes.at(static_cast<std::size_t>(i))));
-    Json json = {
-        {"p",
-         "density of facet normals h on the sphere, 1/sr, integral 1: the sum over the layers of scale * "
-         "lobe"},
-        {"own_frame",
-         "(x, y, z) = (h.axis_x, h.axis_y, h.axis_z), (i, j) = inverse_width, angles in radians; a lobe is 0 "
-         "where z <= 0 unless it says otherwise"},
-        {"pictures",
-         "side x side texels, the upper hemisphere seen from above: column = side (1 + x/sqrt(1+z))/2 - "
-         "1/2, row = "
-         "side (1 - y/sqrt(1+z))/2 - 1/2, both kept in [0, side-1], bilinear; row 0 is the first scan "
-         "line; 0 "
-         "where z <= 0"},
-        {"modulation", "the lobe times 1 - modulation_strength + modulation_strength picture(x, y, z)"},
-        {"layers", std::move(layers)}};
-    if (tables.needs.tint == Tint::varied)
-        json["q"] =
-            "what the specular term takes in place of p, each colour: the sum over the layers of tint * "
-            "scale * "
-            "lobe";
-    return json;
-}
 
 const char* fold_rule(Symmetry symmetry) {
     switch (symmetry) {
@@ -128,10 +63,9 @@ void add_bounce_steps(const Design& design, const Tables& tables, Json& steps) {
         fmt::format("RM = Fb bounce_scale ({}bounce_mean e): the albedo of what bounces bring", spread));
     if (fitted)
         steps.push_back(
-            "amplitude(x, y), sum(t) and difference(t), t = (x, y, z), look up x' = axis[0] x + axis[1] y, "
-            "y' = axis[0] y - "
-            "axis[1] x in the table of "
-            "that name, whose texels lie evenly in what its `x` and `y` say");
+            "amplitude(x, y), sum(t) and difference(t): of t = (x, y, z), each its table at x' = axis[0] x + "
+            "axis[1] y, "
+            "y' = axis[0] y - axis[1] x, whose texels lie evenly in what its `x` and `y` say");
 }
 
 Json evaluation_json(const Design& design, const Tables& tables) {
@@ -200,7 +134,8 @@ std::string specular_formula(const Design& design, Tint tint) {
     const bool bounces = has_bounces(design.multibounce);
     if (bounces) mirrored += " + Fb1 Fb2 bounce_scale M";
     if (!is_retro(design))
-        return fmt::format(bounces ? "specular = {}({})" : "specular = {}{}", intensity, mirrored);
+        return bounces ? fmt::format("specular = {}({})", intensity, mirrored)
+                       : fmt::format("specular = {}{}", intensity, mirrored);
     return fmt::format(
         "m = {}; specular = {}((1 - retro) m + 0.5 retro (mirrored(k1, T(k2)) + mirrored(T(k1), k2))): "
         "mirrored(a, b) is m of k1 = a and k2 = b; T(k) = (-x, -y, z)",
@@ -248,16 +183,17 @@ std::string table_manifest(const Design& design, const Tables& tables,
     Json json = {{"format", "nacre tables"}, {"version", 1}, {"name", design.name}, {"note", design.note}};
     json["constants"] = {{"N", surface.N},
                          {"g_normal", shape.g_normal},
-                         {"moment", numbers(shape.moment)},
-                         {"axis", numbers(shape.axis)},
-                         {"stretch", numbers(shape.stretch)},
+                         {"moment", json_numbers(shape.moment)},
+                         {"axis", json_numbers(shape.axis)},
+                         {"stretch", json_numbers(shape.stretch)},
                          {"lean", shape.lean},
-                         {"mean_normal", numbers(tables.mean)},
+                         {"mean_normal", json_numbers(tables.mean)},
                          {"mean_albedo", tables.mean_albedo.x}};
-    if (tables.needs.tint == Tint::varied) json["constants"]["mean_albedo"] = numbers(tables.mean_albedo);
+    if (tables.needs.tint == Tint::varied)
+        json["constants"]["mean_albedo"] = json_numbers(tables.mean_albedo);
     if (tables.bounces) {
-        json["constants"]["bounce_scale"] = numbers(surface.bounce_scale);
-        json["constants"]["bounce_mean"] = numbers(surface.bounce_mean);
+        json["constants"]["bounce_scale"] = json_numbers(surface.bounce_scale);
+        json["constants"]["bounce_mean"] = json_numbers(surface.bounce_mean);
         json["constants"]["bounce_even"] = surface.bounce_even;
     }
     json["material"] = material_json(design, tables);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/limits.h"
 #include "core/model/visible_facets.h"
 
 namespace nacre {
@@ -32,7 +33,7 @@ bool FacetWalks::leaves(Walk& walk, dvec3 d, Random& random) const {
         if (d.z > 0 && uniform_random(random) * g_(d) < N_ * d.z) return true;
     } else {
         const double g = g_(-d);
-        const double free = g > 0 ? exponential(random) * N_ / g : 1 / 0.0;
+        const double free = g > 0 ? exponential(random) * N_ / g : limits::infinity;
         const double depth = walk.depth - d.z * free;
         if (d.z > 0 && depth <= 0) return true;
         walk.depth = std::isfinite(depth) ? depth : walk.depth;

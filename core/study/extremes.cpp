@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/study/bounce_extremes.h"
 #include "core/study/kind_extremes.h"
 #include "core/study/retro_extremes.h"
 
@@ -275,43 +276,15 @@ void add_tints(Cases& cases) {
     add("a black needle in a white haze", needle, glm::dvec3{0}, glm::dvec3{1});
 }
 
-// Each model of multiple bounces where light goes far between facets, where it comes back sharply, where
-// hardly any stays, where hardly any leaves, and where each colour goes its own way.
-void add_bounces(Cases& cases) {
-    Design tinted = grooves(0.3, 45);
-    tinted.distribution.layers[0].tint = {1, 0, 0};
-    tinted.distribution.layers[1].tint = {0, 1, 1};
-    Design coupled = of(GgxLobe{0.3, 0.3});
-    coupled.diffuse = CoupledDiffuse{glm::dvec3{1}};
-    Design sphere = with_layer(of(UniformLobe{UniformDomain::sphere}), UniformLobe{}, 0.01);
-    const std::pair<const char*, Design> designs[] = {{"hemisphere", of(UniformLobe{})},
-                                                      {"brushed", of(GgxLobe{1e-2, 1})},
-                                                      {"grooves of 45 degrees", grooves(0.02, 45)},
-                                                      {"needle", of(GaussianLobe{1e-4, 1e-4})},
-                                                      {"tilted", of(GaussianLobe{0.3, 0.3}, 60)},
-                                                      {"nearly a sphere", sphere},
-                                                      {"one texel", of(PaintedLobe{one_texel(64, 40, 20)})},
-                                                      {"red and cyan grooves", tinted},
-                                                      {"coupled in white", coupled}};
-    for (std::size_t kind = 0; kind < KindSet<Multibounce>::count; ++kind) {
-        if (!has_bounces(kind)) continue;
-        for (auto [name, design] : designs) {
-            design.multibounce = KindSet<Multibounce>::made(kind);
-            cases.push_back(
-                {"bounces", fmt::format("{}, {}", name, KindSet<Multibounce>::names[kind]), design});
-        }
-    }
-}
-
 }  // namespace
 
 std::vector<ExtremeCase> extreme_cases() {
     Cases cases;
-    for (const auto add :
-         {add_lobes, add_ratios, add_tilts, add_mixtures, add_pictures, add_scales, add_mean_cosines,
-          add_visibilities, add_materials, add_intensities, add_tints, add_bounces})
+    for (const auto add : {add_lobes, add_ratios, add_tilts, add_mixtures, add_pictures, add_scales,
+                           add_mean_cosines, add_visibilities, add_materials, add_intensities, add_tints})
         add(cases);
     add_retro_extremes(cases);
+    add_bounce_extremes(cases);
     return cases;
 }
 

@@ -24,7 +24,7 @@ void add_evaluation_with(Report& report, const char* name, const Design& design)
                    plain = bake(with(design, NoMultibounce{}));
         const Shading<float> ours = in_float(bouncing->shading), theirs = in_float(plain->shading);
         Random random(7);
-        std::vector<vec3> k1, k2, values(count);
+        std::vector<glm::vec3> k1, k2, values(count);
         for (std::size_t i = 0; i < count; ++i) {
             k1.emplace_back(test::random_direction(random));
             k2.emplace_back(test::random_direction(random));

@@ -149,6 +149,6 @@ TEST_CASE("lines that are no directions name their line, after the answers to th
 
 TEST_CASE("a term that is not there is wrong usage") {
     const DesignOnDisk design(design_of(GaussianLobe{}));
-    for (const char* term : {"multibounce", "nonsense"})
+    for (const char* term : {"facets", "nonsense"})
         CHECK(run_cli({"eval", design.path(), "--term", term}).code == 2);
 }

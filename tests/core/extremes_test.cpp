@@ -111,10 +111,15 @@ TEST_CASE("intensities from none to the most") { check_group("intensity"); }
 TEST_CASE("tints that differ as much as they can") { check_group("tints"); }
 TEST_CASE("light that goes back from p that lean") { check_group("retro"); }
 
+TEST_CASE("multiple bounces where hardly any light stays, and where hardly any leaves" *
+          doctest::skip(cheap)) {
+    check_group("bounces");
+}
+
 TEST_CASE("no case stands outside the groups that are tested, and names are told apart") {
     std::size_t count = 0;
     for (const char* group : {"lobes", "ratios", "tilts", "mixtures", "pictures", "scales", "mean cosine",
-                              "visibility", "materials", "intensity", "tints", "retro"})
+                              "visibility", "materials", "intensity", "tints", "retro", "bounces"})
         count += cases_of(group).size();
     std::vector<std::string> names;
     for (const ExtremeCase& extreme : extreme_cases()) names.push_back(extreme.group + extreme.name);

@@ -60,11 +60,15 @@ numbers = np.array([line.split() for line in pairs], float).reshape(-1, 2, 3)
 numbers /= np.linalg.norm(numbers, axis=2, keepdims=True)
 
 
+# What is fitted takes seconds: of every symmetry, and with one factor, three, none and tints.
+fitted = {f"ggx-{place}" for place in range(4)} | {"gaussian-0", "measured-coupled", "none-none", "tints-schlick-coupled", "tint-conductor-none"}
+
+
 def bounces_of(name, diffuse):
     """In turn where they are allowed."""
     if name.endswith("no-clamp") or diffuse == "metal":
         return "none"
-    return of(kinds["multibounce"], sum(map(ord, name)))
+    return "momentum" if name in fitted else of([kind for kind in kinds["multibounce"] if kind != "momentum"], sum(map(ord, name)))
 
 
 def check(design):
@@ -73,7 +77,7 @@ def check(design):
     stranger, expected = Stranger(tables), rows_of([cli, "eval", design, "--tolerance", "0.01"], pairs)
     if not max(max(row) for row in expected) > 0.05:
         fail(f"{design}: the directions show nothing")
-    require_close(design.stem, [stranger.brdf(*pair) for pair in numbers], expected, 1e-6)
+    require_close(design.stem, [stranger.brdf(*pair) for pair in numbers], expected, 2e-6 if design.stem in fitted else 1e-6)
 
 
 if sys.argv[4:]:

@@ -16,7 +16,12 @@ leaning = {
 for name, layers in leaning.items():
     design = {"nacre": 1, "distribution": {"layers": layers}, "diffuse": {"model": "coupled"}}
     (folder / f"{name}.nacre").write_text(json.dumps(design))
-presets = [source / f"presets/{name}.nacre" for name in ("ggx-steel", "brushed-gold", "satin")]
+presets = [folder / f"{name}.nacre" for name in ("ggx-steel", "brushed-gold", "satin")]
+for preset in presets:  # with the paper's metal term where they have bounces, which the reader does not know
+    design = json.loads((source / "presets" / preset.name).read_text())
+    if design.pop("multibounce", None):
+        design["diffuse"] = {"model": "metal"}
+    preset.write_text(json.dumps(design))
 tinted = {
     "two-tints": [{**ggx, "tilt": 20, "tint": [0.9, 0.1, 0.2]}, {**ggx, "tilt": 30, "azimuth": 180, "tint": [0.1, 0.2, 0.8]}],
     "one-tint": [{**ggx, "tint": [0.9, 0.1, 0.2]}],
