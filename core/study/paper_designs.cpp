@@ -1,6 +1,7 @@
 #include "core/study/paper_designs.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -27,7 +28,7 @@ Design of_layers(std::vector<Layer> layers, Fresnel fresnel, Diffuse diffuse) {
     Design design;
     design.distribution.layers = std::move(layers);
     design.fresnel = std::move(fresnel);
-    design.diffuse = std::move(diffuse);
+    design.diffuse = diffuse;
     return design;
 }
 
@@ -39,8 +40,8 @@ std::shared_ptr<const Raster> in_the_middle(const Raster& picture) {
     whole->values.resize(picture.values.size());
     const int first = picture.width / 4;
     for (int row = 0; row < small.height; ++row)
-        std::copy_n(small.values.begin() + row * small.width, small.width,
-                    whole->values.begin() + (first + row) * whole->width + first);
+        std::copy_n(small.values.begin() + std::ptrdiff_t{row} * small.width, small.width,
+                    whole->values.begin() + std::ptrdiff_t{first + row} * whole->width + first);
     return whole;
 }
 
