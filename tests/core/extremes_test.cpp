@@ -7,6 +7,7 @@
 
 #include "core/bake/bake.h"
 #include "core/study/extreme_check.h"
+#include "tests/core/cheap.h"
 #include "tests/core/copied_tables.h"
 #include "tests/core/designs.h"
 #include "tests/core/random_directions.h"
@@ -15,12 +16,6 @@ using namespace nacre;
 using namespace nacre::test;
 
 namespace {
-
-#ifdef NACRE_SANITIZED
-constexpr bool cheap = true;
-#else
-constexpr bool cheap = false;
-#endif
 
 constexpr ExtremeOptions cheap_options{.pairs = 60,
                                        .probes = {.area = 20, .albedo = 1},
