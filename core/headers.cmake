@@ -3,12 +3,13 @@
 set(public_library nacre.h)
 set(public_base base/error.h base/limits.h base/range.h base/system/file_content.h)
 set(public_image image/raster.h)
-file(GLOB public_model RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS model/lobes/*.h model/fresnel/*.h
-    model/masking/*.h model/diffuse/*.h model/kinds/*.h)
+set(kind_folders ${NACRE_KIND_SETS})
+list(TRANSFORM kind_folders REPLACE "(.+)" "model/\\1/*.h")
+file(GLOB public_model RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${kind_folders} model/kinds/*.h model/*_models.h)
 list(APPEND public_model
-    model/diffuse_models.h model/facet_distribution.h model/fresnel_models.h model/layer.h model/lobe.h
-    model/lobe_model.h model/lobes.h model/masking_models.h model/modulation.h model/picture_source.h model/quadrature.h model/retro.h model/shading.h
-    model/shading_members.inl model/spectral/material_list.inc model/spectral/materials.h model/tint.h)
+    model/facet_distribution.h model/layer.h model/lobe.h model/lobe_model.h model/lobes.h model/modulation.h model/picture_source.h
+    model/quadrature.h model/retro.h model/shading.h model/shading_members.inl model/spectral/material_list.inc model/spectral/materials.h
+    model/tint.h)
 set(public_design design/design.h design/design_file.h)
 set(public_shading shading/term.h)
 set(public_bake
