@@ -111,11 +111,13 @@ void declare(Command& command, Action& action) {
         .check(no_stream("must be a file, since standard input brings the directions"));
     command.option("--term", options->term, fmt::format("{} (default total)", fmt::join(term_names(), ", ")))
         .one_of(term_names());
-    command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
+    const auto exact =
+        command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
     command
         .option("--walks", options->walks,
                 "with --exact: random walks a line, for multiple bounces (default 65536)")
-        .within(1, 1e8);
+        .within(1, 1e8)
+        .needs(exact);
     add_tolerance_option(command, options->bake);
     command.footer(
         "Reads lines `k1x k1y k1z k2x k2y k2z` (z = normal; any length but 0; # begins a comment line).\n"
