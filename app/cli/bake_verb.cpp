@@ -56,6 +56,7 @@ std::string text_summary(const WrittenTables& written, const std::string& folder
     };
     text += fmt::format("error against the exact reference, {:.1e} wanted:\n", tables.tolerance);
     text += line("g, relative", written.errors.area) + line("R, absolute", written.errors.albedo);
+    if (tables.shading.kinds.matt_facets()) text += line("matt facets, absolute", written.errors.facets);
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <optional>
 
 #include "app/cli/bake_options.h"
 #include "app/cli/design_input.h"
@@ -13,6 +14,7 @@
 #include "core/bake/brdf.h"
 #include "core/design/design_file.h"
 #include "core/verify/bounce_oracle.h"
+#include "core/verify/facet_oracle.h"
 #include "core/verify/reference.h"
 
 namespace nacre::cli {
@@ -53,43 +55,63 @@ void answer_from_tables(const Design& design, const EvalOptions& options, Term t
         interrupt);
 }
 
-// rho of a term that may hold multiple bounces, and the largest standard error of any colour that these have.
-dvec3 exact_term(const Reference& reference, const Design& design, const EvalOptions& options, Term term,
-                 std::span<const dvec3> k, double& error, const std::stop_token& stop) {
-    dvec3 rho{0};
-    if (term != Term::multibounce)
-        rho = brdf_term(reference.shading(), reference.direction(k[0], stop), reference.direction(k[1], stop),
-                        term);
-    const bool bounces =
-        has_bounces(design.multibounce) && (term == Term::total || term == Term::multibounce);
-    if (!bounces) return rho;
-    const double weight = reference.shading().surface.ks;
-    const WalkEstimate walked = BounceOracle(reference).rho(k[0], k[1], {.walks = options.walks}, stop);
-    error = weight * std::max({walked.error.x, walked.error.y, walked.error.z});
-    return rho + weight * walked.mean;
-}
+// A term without tables: what is integrated, and what walks have to say of multiple bounces and of matt
+// facets.
+class ExactTerm {
+  public:
+    ExactTerm(const Reference& reference, const Design& design, Term term, int walks)
+        : reference_(reference), term_(term), walks_(walks) {
+        const bool whole = term == Term::total;
+        if (has_bounces(design.multibounce) && (whole || term == Term::multibounce))
+            bounces_.emplace(reference);
+        if (has_matt_facets(design.diffuse) && (whole || term == Term::diffuse)) facets_.emplace(reference);
+    }
+
+    // Both above the horizon. The standard error is that of the walks.
+    WalkEstimate operator()(dvec3 k1, dvec3 k2, const std::stop_token& stop) const {
+        WalkEstimate sum;
+        if (term_ != Term::multibounce)
+            sum.mean = brdf_term(reference_.shading(), reference_.direction(k1, stop),
+                                 reference_.direction(k2, stop), term_);
+        if (bounces_)
+            add(bounces_->rho(k1, k2, {.walks = walks_}, stop), reference_.shading().surface.ks, sum);
+        if (facets_) add(facets_->rho(k1, k2, {.walks = walks_, .first = 1}, stop), 1, sum);
+        return sum;
+    }
+
+  private:
+    static void add(const WalkEstimate& walked, double weight, WalkEstimate& sum) {
+        sum.mean += weight * walked.mean;
+        sum.error += weight * walked.error;
+    }
+
+    const Reference& reference_;
+    Term term_;
+    int walks_;
+    std::optional<BounceOracle> bounces_;
+    std::optional<FacetOracle> facets_;
+};
 
 void answer_exactly(const Design& design, const EvalOptions& options, Term term, const Interrupt& interrupt) {
     const std::stop_token stop = interrupt.token();
     Reference reference = about_file(options.design, [&] { return Reference(design); });
     reference.set_walks(options.walks);
     reference.prepare_coupling(stop);
+    const ExactTerm exact(reference, design, term, options.walks);
     std::atomic<double> worst = 0;  // standard error
     answer_lines(
         {.directions = 2, .batch = 256},
         [&](std::span<const dvec3> k, std::string& text) {
-            dvec3 rho{0};
-            if (k[0].z > 0 && k[1].z > 0) {
-                double error = 0;
-                rho = exact_term(reference, design, options, term, k, error, stop);
-                for (double known = worst; known < error && !worst.compare_exchange_weak(known, error);) {
-                }
+            WalkEstimate rho;
+            if (k[0].z > 0 && k[1].z > 0) rho = exact(k[0], k[1], stop);
+            const double error = std::max({rho.error.x, rho.error.y, rho.error.z});
+            for (double known = worst; known < error && !worst.compare_exchange_weak(known, error);) {
             }
-            append_colour(rho, true, text);
+            append_colour(rho.mean, true, text);
         },
         interrupt);
     if (worst > 0)
-        fmt::print(stderr, "multiple bounces by {} walks a line: standard error at most {:.2g}\n",
+        fmt::print(stderr, "bounces between facets by {} walks a line: standard error at most {:.2g}\n",
                    options.walks, worst.load());
 }
 
@@ -111,11 +133,11 @@ void declare(Command& command, Action& action) {
         .check(no_stream("must be a file, since standard input brings the directions"));
     command.option("--term", options->term, fmt::format("{} (default total)", fmt::join(term_names(), ", ")))
         .one_of(term_names());
-    const auto exact =
-        command.flag("--exact", options->exact, "adaptive integration in double in place of tables; 17 digits");
+    const auto exact = command.flag("--exact", options->exact,
+                                    "adaptive integration in double in place of tables; 17 digits");
     command
         .option("--walks", options->walks,
-                "with --exact: random walks a line, for multiple bounces (default 65536)")
+                "with --exact: random walks a line, for light that bounces between facets (default 65536)")
         .within(1, 1e8)
         .needs(exact);
     add_tolerance_option(command, options->bake);

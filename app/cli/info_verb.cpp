@@ -105,6 +105,11 @@ std::string bounce_reason(const BounceFigures& bounces) {
         bounces.misplaced ? fmt::format(", {:.2g} % of all energy misplaced", 100 * *bounces.misplaced) : "");
 }
 
+std::string facet_reason(const TableError& error) {
+    return fmt::format("  facets  worst {:.1e}, root mean square {:.1e}, {} pairs of directions\n",
+                       error.worst, error.root_mean_square, error.directions);
+}
+
 nlohmann::ordered_json bounce_json(const BounceFigures& bounces) {
     nlohmann::ordered_json json = {{"walks", bounces.walks}};
     if (bounces.misplaced) json["misplaced"] = *bounces.misplaced;
@@ -154,6 +159,7 @@ std::string text_info(const Design& design, const Tables& tables) {
     text += size_reason("g", tables.errors.area, tables.tried_area);
     if (tables.needs.albedo) text += size_reason("R", tables.errors.albedo, tables.tried_albedo);
     if (tables.bounces) text += bounce_reason(*tables.bounces);
+    if (tables.shading.kinds.matt_facets()) text += facet_reason(tables.errors.facets);
     text += fmt::format("\nshader\n  {}\n\nleft out\n", fmt::join(shader_parts(tables), "\n  "));
     for (const Omission& omission : tables.omissions)
         text += fmt::format("  {}: {}\n", omission.what, omission.why);
@@ -195,6 +201,7 @@ std::string json_info(const Design& design, const Tables& tables) {
                  {"shader", shader_parts(tables)},
                  {"left_out", std::move(omissions)}};
     if (tables.bounces) json["bounces"] = bounce_json(*tables.bounces);
+    if (tables.shading.kinds.matt_facets()) json["facets"] = error_json(tables.errors.facets);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

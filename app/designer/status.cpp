@@ -27,6 +27,8 @@ std::string time_text(const Tables& tables) {
 std::string error_text(const Tables& tables) {
     std::string text = fmt::format("g within {:.2g} %", tables.errors.area.worst * 100);
     if (tables.needs.albedo) text += fmt::format(", R within {:.2g} %", tables.errors.albedo.worst * 100);
+    if (tables.shading.kinds.matt_facets())
+        text += fmt::format(", facets within {:.2g} %", tables.errors.facets.worst * 100);
     if (!tables.bounces) return text;
     if (tables.bounces->misplaced)
         return text + fmt::format(", bounces: {:.2g} % misplaced", *tables.bounces->misplaced * 100);

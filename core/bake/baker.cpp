@@ -172,6 +172,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
     if (keep_albedo && before->bounces &&
         fits_bounces(made.design, made.options) == before->bounces->momentum.has_value())
         made.bounces = before->bounces;
+    if (keep_area && before->design.shadowing == made.design.shadowing) made.facets = before->facets;
     area_origin_ = albedo_origin_ = TableOrigin::reused;
     made.distribution = keep_area ? before->distribution : now.distribution;
     if (keep_area) {
@@ -264,6 +265,8 @@ void Baker::assemble(Kept& made, Tables& tables, Workers& workers) {
     if (has_bounces(made.design.multibounce))
         add_bounce_tables(tables, made.area.table->grid(), made.design.multibounce,
                           fits_bounces(made.design, made.options), made.bounces, workers);
+    if (has_matt_facets(made.design.diffuse))
+        add_facet_tables(tables, made.area.table->grid(), made.facets, workers);
     if (made.albedo.data) integrate(made, tables, workers);
 }
 

@@ -8,6 +8,7 @@
 #include "core/bake/albedo_table.h"
 #include "core/bake/bake.h"
 #include "core/bake/bounce_tables.h"
+#include "core/bake/facet_tables.h"
 
 namespace nacre {
 
@@ -55,6 +56,7 @@ class Baker {
         KeptArea area = {};
         KeptAlbedo albedo = {};
         std::optional<BounceFit> bounces = {};
+        std::optional<FacetTables> facets = {};
     };
 
     // The new p against the one before.

@@ -76,14 +76,13 @@ class Adding {
         return offset;
     }
 
-    int node_count() const { return shading_.surface.tables.nodes_v * shading_.surface.tables.nodes_rho; }
-
     // Tables of values(k) at R's nodes, one after the other.
     template <class ValuesAt>
     int append_tables(int count, const ValuesAt& values_at) {
-        const auto size = static_cast<std::size_t>(node_count());
+        const int nodes = albedo_node_count(shading_);
+        const auto size = static_cast<std::size_t>(nodes);
         std::vector<float> values(size * static_cast<std::size_t>(count));
-        workers_.for_each(node_count(), [&](int i) {
+        workers_.for_each(nodes, [&](int i) {
             const auto found = values_at(albedo_node(shading_, grid_, i));
             for (int c = 0; c < count; ++c)
                 values[static_cast<std::size_t>(c) * size + static_cast<std::size_t>(i)] =
@@ -125,16 +124,17 @@ class Adding {
         if (count == 0) return;
         const int channels = tables_.needs.fresnel_tables;
         const AlbedoLayout layout{channels, shading_.kinds.tint};
-        const Shader plain = untinted();
         const double any = std::numeric_limits<double>::infinity();
-        const AlbedoQuadrature rule(*tables_.distribution, shading_, channels, any),
-            whole(*tables_.distribution, plain, 0, any);
+        const AlbedoQuadrature rule(*tables_.distribution, shading_, channels, any);
+        const Shader plain = untinted();
+        std::optional<AlbedoQuadrature> whole;
+        if (layout.tint == Tint::varied) whole.emplace(*tables_.distribution, plain, 0, any);
         const bool linear = shading_.kinds.fresnel_tables() == FresnelTables::linear;
         const dvec3 f0 = shading_.surface.fresnel_a;
         shading_.surface.tables.factor_offset = append_tables(count, [&](dvec3 k) {
             const double g = tables_.distribution->projected_area(k);
             const AlbedoValues values = rule.staying(k, g);
-            const double stays = layout.tint == Tint::varied ? whole.staying(k, g)[0] : values[0];
+            const double stays = whole ? whole->staying(k, g)[0] : values[0];
             dvec3 f{1};
             for (int c = 0; c < count; ++c) {
                 const double full = values[static_cast<std::size_t>(c % layout.full())];

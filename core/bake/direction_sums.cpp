@@ -68,15 +68,11 @@ void sum_over_shares(const Shading<double>& material, const WeightedDirections& 
     weigh(
         directions,
         [&](Lanes::real3 k, Real(&values)[6]) HWY_ATTR {
-            const Lanes::TableSpot spot = shading.table_spot(k);
-            const Real g = shading.projected_area(k, spot);
-            const Lanes::AlbedoSpot albedo = shading.albedo_spot(k, spot);
-            const Real kept = shading.clamped_part(k, g);
-            Lanes::Direction a = Lanes::known_direction(k, g, shading.albedo_of(k, g, albedo));
-            if (shading.kinds.bounces()) a = shading.with_bounces(a, albedo, kept);
-            if (shading.kinds.retro) a = shading.with_turned(a);
+            const Lanes::Direction a = shading.direction(k);
+            const Lanes::real3 full =
+                shading.colour_albedo_f1(shading.albedo_spot(k, shading.table_spot(k))) *
+                shading.clamped_part(k, a.g);
             const Lanes::real3 share = shading.diffuse_share(a);
-            const Lanes::real3 full = shading.colour_albedo_f1(albedo) * kept;
             values[0] = full.x;
             values[1] = full.y;
             values[2] = full.z;

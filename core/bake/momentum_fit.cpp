@@ -30,10 +30,6 @@ constexpr int watched = 4096;       // directions in which no more may come back
 constexpr std::size_t pairs_fitted = 262144;  // of directions that the whole is summed over
 constexpr double floor_part = 0.001;  // of the kernel, the same everywhere: a's scaling then has a solution
 
-int node_count(const Shader& shading) {
-    return shading.surface.tables.nodes_v * shading.surface.tables.nodes_rho;
-}
-
 // Of what comes back toward k, what the tables are to bring.
 double brought_part(dvec3 k) { return std::min(k.z / grazing, 1.0); }
 
@@ -87,7 +83,8 @@ class Fit {
         sum_size_ = size_of(false);
         texels_.assign(static_cast<std::size_t>(sum_size_ + size_of(true)), 1.0);
         amplitude_.assign(static_cast<std::size_t>(sum_size_), 1.0);
-        for (int i = 0; i < node_count(shading_); ++i) nodes_.push_back(albedo_node(shading_, grid, i));
+        for (int i = 0; i < albedo_node_count(shading_); ++i)
+            nodes_.push_back(albedo_node(shading_, grid, i));
     }
 
     MomentumTables operator()(const BounceWalks& walks) {

@@ -47,6 +47,10 @@ BouncePair folded(const Shader& shading, BouncePair pair) {
 
 }  // namespace
 
+int albedo_node_count(const Shading<double>& shading) {
+    return shading.surface.tables.nodes_v * shading.surface.tables.nodes_rho;
+}
+
 dvec3 albedo_node(const Shading<double>& shading, const StretchedGrid& grid, int i) {
     const auto& shape = shading.surface.tables;
     return grid.albedo_direction(i % shape.nodes_v / (shape.nodes_v - 1.0), i / shape.nodes_v,
@@ -101,8 +105,7 @@ std::vector<dvec3> momentum_rows(const Shading<double>& shading, const Stretched
         ends.back().amplitude = shading.momentum_amplitude(k);
         factors.push_back(factor(k) * (pi / count));
     }
-    std::vector<dvec3> rows(
-        static_cast<std::size_t>(shading.surface.tables.nodes_v * shading.surface.tables.nodes_rho));
+    std::vector<dvec3> rows(static_cast<std::size_t>(albedo_node_count(shading)));
     workers.for_each(static_cast<int>(rows.size()), [&](int i) {
         const dvec3 k = albedo_node(shading, grid, i);
         auto a = Shader::known_direction(k, 0, dvec3{0});

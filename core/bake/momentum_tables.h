@@ -28,6 +28,9 @@ void smooth_table(std::vector<double>& texels, int first, glm::ivec2 size, doubl
 // Columns and rows of a momentum table.
 glm::ivec2 momentum_size(const Shading<double>& shading, bool difference);
 
+// Of each of R's tables.
+int albedo_node_count(const Shading<double>& shading);
+
 // The direction of node `i` of R's tables.
 dvec3 albedo_node(const Shading<double>& shading, const StretchedGrid& grid, int i);
 

@@ -9,7 +9,10 @@ std::size_t Tables::table_floats() const {
     const std::size_t area = static_cast<std::size_t>(size.psi) * static_cast<std::size_t>(size.w);
     const std::size_t albedos = needs.albedo ? static_cast<std::size_t>(needs.layout().size()) : 0;
     const std::size_t albedo = static_cast<std::size_t>(size.rho) * static_cast<std::size_t>(size.v);
-    return area + albedos * albedo + (bounces ? bounces->floats : 0);
+    const auto& shape = shading.surface.tables;
+    const auto facets = static_cast<std::size_t>(shape.facet_nodes * shape.facet_rows *
+                                                 (shape.facet_classes * shape.facet_terms + 1));
+    return area + albedos * albedo + facets + (bounces ? bounces->floats : 0);
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double exact) {

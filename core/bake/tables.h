@@ -35,6 +35,7 @@ struct TriedSize {
 struct TableErrors {
     TableError area;    // of g, relative: see area_error()
     TableError albedo;  // of R, absolute: with F = 1 and with each Fresnel factor that is baked
+    TableError facets;  // of matt facets: see facet_error(); none without them
 };
 
 // Of multiple bounces.

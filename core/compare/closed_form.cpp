@@ -14,7 +14,6 @@ using std::numbers::pi;
 using Shader = Shading<double>;
 using Form = Shader::ClosedForm;
 
-constexpr double gaussian_quartile = 0.67448975019608171;      // of a standard normal variable
 constexpr double erf_half = 0.47693627620446987;               // erf of it is 1/2
 constexpr double widest = 1e3, narrowest = limits::width_min;  // slopes
 constexpr int albedo_points = 4096, mean_points = 2048;
@@ -102,9 +101,10 @@ ClosedForm matching_form(const Tables& tables, ClosedFormModel model) {
     const Shader& shading = tables.shading;
     if (model == ClosedFormModel::oren_nayar) {
         assert(tables.needs.albedo);
-        const double sigma = std::atan(std::sqrt(slopes.median.x * slopes.median.y)) / gaussian_quartile;
+        const double sigma = oren_nayar_sigma(*tables.distribution);
         form.sigma2 = sigma * sigma;
-        form.rho = glm::min(mean_albedo(shading), dvec3{1});
+        form.rho = shading.kinds.matt_facets() ? dvec3{shading.surface.albedo * shading.surface.kd}
+                                               : glm::min(mean_albedo(shading), dvec3{1});
     }
     if (tables.needs.albedo) {
         made.albedo = albedo_tables(shading, form);

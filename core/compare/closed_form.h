@@ -32,9 +32,10 @@ struct ClosedForm {
 
 // The model of the same width as the tables' p: equal median slopes along the principal axes
 // (facet_slopes.h). Slopes of Beckmann's facets are Gaussian with alpha^2/2 for variance, and Ward's alpha is
-// theirs, so alpha = median/0.4769; GGX has alpha = sqrt(3) median. Oren and Nayar's sigma, of one angle, is
-// atan(median)/0.6745 of the mean median, and rho the mean albedo of the design in each colour: for that the
-// tables must hold R, and so they must for the model's own table of albedo, which is made where they do.
+// theirs, so alpha = median/0.4769; GGX has alpha = sqrt(3) median. Oren and Nayar's sigma is that of
+// facets as steep in the mean square, and rho the albedo of matt facets, or of a design without them its own
+// mean in each colour: for that the tables must hold R, and so they must for the model's own table of albedo,
+// which is made where they do.
 ClosedForm matching_form(const Tables& tables, ClosedFormModel model);
 
 // The model's BRDF of unit vectors, 1/sr; 0 where either is not above the horizon.

@@ -4,30 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/model/facet_lattice.h"
+
 namespace nacre {
 namespace {
 
 using std::numbers::pi;
 
 constexpr std::size_t lattice_size = 16384;
-
-// Fibonacci's lattice on the upper hemisphere, stretched as the span is.
-void add_span(const PlacedLobe& placed, const LobeParameterization& span, std::size_t count,
-              std::vector<Facet>& all) {
-    const double patch = 2 * pi / static_cast<double>(count) * span.stretch.x * span.stretch.y;
-    const double turn = pi * (3 - std::sqrt(5.0));
-    for (std::size_t i = 0; i < count; ++i) {
-        const double at = static_cast<double>(i);
-        const double z = 1 - (at + 0.5) / static_cast<double>(count), r = std::sqrt(1 - z * z);
-        const dvec3 own{span.stretch.x * r * std::cos(turn * at), span.stretch.y * r * std::sin(turn * at),
-                        z};
-        const double length = glm::length(own);
-        dvec3 h = own / length;
-        h.z *= span.flip;
-        const double mass = placed.scale * placed.lobe->density(h) * patch / (length * length * length);
-        if (mass > 0) all.push_back({placed.frame * h, mass});
-    }
-}
 
 struct Slope {
     double size;
@@ -54,17 +38,6 @@ double median(std::vector<Slope>& slopes) {
 
 }  // namespace
 
-std::vector<Facet> facet_lattice(const FacetDistribution& p, std::size_t count) {
-    std::vector<Facet> all;
-    const std::vector<std::vector<Facet>> own = p.facets(count);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        all.insert(all.end(), own[i].begin(), own[i].end());
-        for (const LobeParameterization& span : p.lobes()[i].lobe->spans())
-            add_span(p.lobes()[i], span, count, all);
-    }
-    return all;
-}
-
 FacetSlopes facet_slopes(const FacetDistribution& p) {
     const std::vector<Facet> facets = facet_lattice(p, lattice_size);
     double xx = 0, xy = 0, yy = 0;
@@ -87,6 +60,16 @@ FacetSlopes facet_slopes(const FacetDistribution& p) {
     }
     if (round) slopes.median = dvec2{std::sqrt(slopes.median.x * slopes.median.y)};
     return slopes;
+}
+
+double oren_nayar_sigma(const FacetDistribution& p) {
+    double sum = 0, all = 0;
+    for (const Facet& facet : facet_lattice(p, lattice_size)) {
+        const double theta = std::acos(std::clamp(facet.h.z, -1.0, 1.0));
+        sum += facet.mass * theta * theta;
+        all += facet.mass;
+    }
+    return std::sqrt(sum / (2 * all));
 }
 
 }  // namespace nacre

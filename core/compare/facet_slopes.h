@@ -16,8 +16,8 @@ struct FacetSlopes {
 // Of the facets above the horizon; p needs some, as every design that bakes has.
 FacetSlopes facet_slopes(const FacetDistribution& p);
 
-// Facets spread evenly over each lobe's own width, about `count` a lobe, with their shares of area: a lattice
-// for sums over p. Lobes without a smooth form give their own facets.
-std::vector<Facet> facet_lattice(const FacetDistribution& p, std::size_t count);
+// The sigma of Oren and Nayar's facets that are as steep in the mean square as p's, radians: theirs are
+// spread as exp(-theta^2/(2 sigma^2)) a steradian, which for a narrow p has <theta^2> = 2 sigma^2.
+double oren_nayar_sigma(const FacetDistribution& p);
 
 }  // namespace nacre

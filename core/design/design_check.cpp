@@ -67,7 +67,7 @@ void check_design(const Design& design, const std::string& file) {
 
 std::string bounce_problem(const Design& design) {
     if (!design.shadowing.clamp)
-        return "bounces share out what masking takes, which without clamp is not known";
+        return "without clamp R may exceed 1, which leaves bounces nothing to share out";
     if (std::holds_alternative<MetalDiffuse>(design.diffuse))
         return "the diffuse model \"metal\" stands for the same light";
     return "";

@@ -9,7 +9,9 @@ nlohmann::ordered_json error_json(const TableError& error) {
 }
 
 nlohmann::ordered_json errors_json(const TableErrors& errors) {
-    return {{"g", error_json(errors.area)}, {"R", error_json(errors.albedo)}};
+    nlohmann::ordered_json json = {{"g", error_json(errors.area)}, {"R", error_json(errors.albedo)}};
+    if (errors.facets.directions > 0) json["facets"] = error_json(errors.facets);
+    return json;
 }
 
 }  // namespace nacre

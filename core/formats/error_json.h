@@ -10,7 +10,7 @@ namespace nacre {
 // {"worst", "rms", "directions"}
 nlohmann::ordered_json error_json(const TableError& error);
 
-// {"g", "R"}
+// {"g", "R"}, and {"facets"} where they are matt
 nlohmann::ordered_json errors_json(const TableErrors& errors);
 
 }  // namespace nacre

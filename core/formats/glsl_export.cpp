@@ -42,6 +42,7 @@ struct FieldList {
 bool has_field(const ShadingKinds& kinds, std::string_view field) {
     if (field == "tint") return kinds.tint != Tint::none;
     if (field == "retro") return kinds.retro;
+    if (field.starts_with("facet_")) return kinds.matt_facets();
     constexpr std::string_view offsets[] = {"row_offset",       "factor_offset",    "spread_offset",
                                             "whole_offset",     "amplitude_offset", "sum_offset",
                                             "difference_offset"};
@@ -96,7 +97,7 @@ std::string constants(const Tables& tables) {
 std::string prefixed(std::string text, const std::string& prefix) {
     static const std::regex definition(
         R"((?:^|\n)(?:#define |struct |const (?:float|int|Surface|Layer) |CONSTANT (?:int|scalar) |)"
-        R"((?:PURE )?(?:float|real3|real2|real|int|integer|condition|TableRows|TableSpot|AlbedoSpot|MomentumSpot|Direction|HalfVector) (?=\w+\())(\w+))");
+        R"((?:PURE )?(?:float|real3|real2|real|int|integer|condition|TableRows|TableSpot|AlbedoSpot|MomentumSpot|FacetSpot|Direction|HalfVector) (?=\w+\())(\w+))");
     std::set<std::string> names;
     for (std::sregex_iterator match(text.begin(), text.end(), definition), end; match != end; ++match)
         names.insert((*match)[1].str());

@@ -75,6 +75,26 @@ void add_bounce_pictures(const Tables& tables, std::vector<TablePicture>& pictur
     pictures.push_back(momentum_picture(tables, "difference", shape.difference_offset, true));
 }
 
+// Table by table, one below the other.
+void add_facet_pictures(const Tables& tables, std::vector<TablePicture>& pictures) {
+    const auto& shape = tables.shading.surface.tables;
+    const int size = shape.facet_nodes * shape.facet_rows, terms = shape.facet_classes * shape.facet_terms;
+    pictures.push_back({"facet-terms.exr",
+                        "facet_terms",
+                        "w",
+                        "psi, term after term",
+                        {shape.facet_nodes, shape.facet_rows * terms},
+                        {"Y"},
+                        part(tables, shape.facet_offset, size * terms)});
+    pictures.push_back({"facet-albedo.exr",
+                        "facet_albedo",
+                        "w",
+                        "psi",
+                        {shape.facet_nodes, shape.facet_rows},
+                        {"Y"},
+                        part(tables, shape.facet_offset + size * terms, size)});
+}
+
 void add_layer_pictures(const Tables& tables, std::vector<TablePicture>& pictures) {
     auto add = [&](int layer, const char* kind, int offset, int side) {
         pictures.push_back({layer_picture_file(layer, kind),
@@ -117,6 +137,7 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
     if (tables.needs.albedo && layout.factors() > 0)
         pictures.push_back(albedo_picture(tables, "residual", shape.residual_offset, layout.factors()));
     if (tables.bounces) add_bounce_pictures(tables, pictures);
+    if (tables.shading.kinds.matt_facets()) add_facet_pictures(tables, pictures);
     add_layer_pictures(tables, pictures);
     pictures.push_back(corners_picture());
     return pictures;
@@ -129,6 +150,8 @@ std::vector<fs::path> table_files(const fs::path& folder, const Design& design) 
     if (has_bounces(design.multibounce))
         for (const char* name : {"whole", "factor", "amplitude", "brought", "spread", "sum", "difference"})
             files.push_back(folder / fmt::format("bounce-{}.exr", name));
+    if (has_matt_facets(design.diffuse))
+        for (const char* name : {"facet-terms.exr", "facet-albedo.exr"}) files.push_back(folder / name);
     for (int layer = 0; layer < static_cast<int>(design.distribution.layers.size()); ++layer)
         for (const char* kind : {"painted", "modulation"})
             files.push_back(folder / layer_picture_file(layer, kind));

@@ -68,6 +68,37 @@ void add_bounce_steps(const Design& design, const Tables& tables, Json& steps) {
             "y' = axis[0] y - axis[1] x, whose texels lie evenly in what its `x` and `y` say");
 }
 
+// How classes of terms differ; see shaders/shared/matt_facets.glsl.
+const char* facet_rule(Symmetry symmetry) {
+    switch (symmetry) {
+        case Symmetry::isotropic:
+            return "s_0 is 1 and s_c is cos(c d), d the angle in azimuth from a to b";
+        case Symmetry::quarter:
+            return "s_0 is 1; s_1 is -1 where y' (not folded) of a and of b have different signs, else 1; "
+                   "s_2 is the "
+                   "same of x'; s_3 is s_1 s_2";
+        case Symmetry::half:
+            return "s_0 is 1; s_1 is -1 where y' (not folded) of a and of b have different signs, else 1";
+        case Symmetry::none:
+            return "there is but class 0, and s_0 is 1";
+    }
+    return "";
+}
+
+// What matt facets show of each other.
+void add_facet_steps(Symmetry symmetry, bool clamp, Json& steps) {
+    steps.push_back(clamp ? "K = sqrt(max(g, N z)^2 + (z g_normal + 2 q)^2/64)"
+                          : "K = sqrt(g^2 + (z g_normal + 2 q)^2/64)");
+    steps.push_back("Ef = max(0, min(1, facet_albedo(w, psi)))");
+    steps.push_back(
+        fmt::format("facets(a, b): the larger of 0 and the sum over classes c of s_c times the sum over i of "
+                    "u(a) u(b), u being "
+                    "that of term c facet_terms + i at (w, psi), whose table begins in the row of that "
+                    "number times the rows of "
+                    "facet-albedo.exr; {}",
+                    facet_rule(symmetry)));
+}
+
 Json evaluation_json(const Design& design, const Tables& tables) {
     const Symmetry symmetry = tables.needs.symmetry.symmetry;
     const bool clamp = design.shadowing.clamp, round = symmetry == Symmetry::isotropic;
@@ -85,6 +116,7 @@ Json evaluation_json(const Design& design, const Tables& tables) {
         "w = 2 q/(z g_normal + 2 q): 0 where the denominator is 0",
         "g = max(0, x moment[0] + y moment[1] + (z g_normal + 2 q) A(w, psi))",
         clamp ? "P = min(1, N z/g)" : "P = N z/g"};
+    if (tables.shading.kinds.matt_facets()) add_facet_steps(symmetry, clamp, steps);
     if (tables.needs.albedo) {
         steps.push_back(fmt::format("s = sqrt(x^2 + y^2); v = (w + s/(z + s))/2; rho = {}",
                                     round ? "0" : "(psi + turns(x', y'))/2"));
@@ -196,6 +228,12 @@ std::string table_manifest(const Design& design, const Tables& tables,
         json["constants"]["bounce_mean"] = json_numbers(surface.bounce_mean);
         json["constants"]["bounce_even"] = surface.bounce_even;
     }
+    if (tables.shading.kinds.matt_facets()) {
+        json["constants"]["facet_classes"] = shape.facet_classes;
+        json["constants"]["facet_terms"] = shape.facet_terms;
+        json["constants"]["facet_scale"] = json_numbers(surface.facet_scale);
+        json["constants"]["facet_even"] = surface.facet_even;
+    }
     json["material"] = material_json(design, tables);
     json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
@@ -234,6 +272,8 @@ std::string table_manifest(const Design& design, const Tables& tables,
         json["error"]["bounces_is"] =
             "the part of all energy that goes to another place than random walks send it";
     }
+    if (tables.shading.kinds.matt_facets())
+        json["error"]["facets_is"] = "|facets - exact N Q/(K1 K2)|, Q the integral of (k1.h)+ (k2.h)+ p(h)";
     json["bake_seconds"] = tables.seconds;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -13,6 +13,7 @@ namespace nacre {
 // Besides what every kind has:
 //
 //   reads_albedo  whether it reads R, so that the tables must hold it
+//   matt_facets   whether it reads tables of facets that are matt themselves (core/bake/facet_tables.h)
 //   shader()      the numbers that shaders/diffuse/NAME.glsl reads; f0 is F(1) of the design
 //                 times its mean tint
 //   own_albedo()  the albedo it was given, if it has one of its own; of_albedo() carries one on
@@ -21,6 +22,7 @@ namespace nacre {
 template <class T>
 concept DiffuseModel = Kind<T> && requires(const T model, glm::dvec3 albedo) {
     { T::reads_albedo } -> std::convertible_to<bool>;
+    { T::matt_facets } -> std::convertible_to<bool>;
     { model.shader(albedo) } -> std::same_as<ShaderDiffuse>;
     { T::formula } -> std::convertible_to<const char*>;
     { model.own_albedo() } -> std::same_as<std::optional<glm::dvec3>>;
@@ -36,5 +38,11 @@ using Diffuse = DiffuseModels<NACRE_DIFFUSE>;
 inline bool reads_albedo(const Diffuse& diffuse) {
     return std::visit([]<class T>(const T&) { return T::reads_albedo; }, diffuse);
 }
+
+constexpr bool has_matt_facets(std::size_t index) {
+    return KindSet<Diffuse>::each([]<class T>() { return T::matt_facets; }).at(index);
+}
+
+inline bool has_matt_facets(const Diffuse& diffuse) { return has_matt_facets(diffuse.index()); }
 
 }  // namespace nacre

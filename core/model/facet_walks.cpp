@@ -15,8 +15,9 @@ double exponential(Random& random) { return -std::log(1 - uniform_random(random)
 
 }  // namespace
 
-FacetWalks::FacetWalks(const FacetDistribution& distribution, FacetWalk kind, double N, Area g)
-    : distribution_(distribution), kind_(kind), N_(N), g_(std::move(g)) {}
+FacetWalks::FacetWalks(const FacetDistribution& distribution, FacetWalk kind, double N, Area g,
+                       FacetScatter scatter)
+    : distribution_(distribution), kind_(kind), N_(N), g_(std::move(g)), scatter_(scatter) {}
 
 void FacetWalks::enter(std::span<const dvec3> k1, Random& random) {
     walks_.clear();
@@ -25,6 +26,15 @@ void FacetWalks::enter(std::span<const dvec3> k1, Random& random) {
         const double depth = g > 0 ? exponential(random) * k1[i].z * N_ / g : 0;
         walks_.push_back({k1[i], depth, dvec3{1}, i});
     }
+}
+
+dvec3 FacetWalks::scattered(dvec3 view, dvec3 h, Random& random) const {
+    if (scatter_ == FacetScatter::mirror) return glm::normalize(2 * glm::dot(view, h) * h - view);
+    // Duff et al. 2017: any two axes at right angles to h.
+    const dvec3 own = cosine_sample(random);
+    const double sign = std::copysign(1.0, h.z), a = -1 / (sign + h.z), b = h.x * h.y * a;
+    const dvec3 x{1 + sign * h.x * h.x * a, sign * b, -sign * h.x}, y{b, sign + h.y * h.y * a, -h.y};
+    return glm::normalize(own.x * x + own.y * y + own.z * h);
 }
 
 // d: where a facet has sent the light. If it stays inside, the walk goes on from there.
@@ -53,7 +63,7 @@ void FacetWalks::bounce(Random& random, const Reflect& reflect, const Leave& lea
         const dvec3 h = facets_[i];
         if (h == dvec3{0}) continue;
         reflect(walk, h);
-        const dvec3 d = glm::normalize(2 * glm::dot(walk.view, h) * h - walk.view);
+        const dvec3 d = scattered(walk.view, h, random);
         if (leaves(walk, d, random)) {
             leave(walk, d);
         } else {
@@ -66,10 +76,12 @@ void FacetWalks::bounce(Random& random, const Reflect& reflect, const Leave& lea
 double FacetWalks::next_event(const Walk& walk, dvec3 k2, double p) const {
     const double g = g_(walk.view);
     if (!(g > 0) || !(p > 0)) return 0;
-    const double out = kind_ == FacetWalk::uncorrelated
-                           ? N_ / std::max(g_(k2), N_ * k2.z)
-                           : std::exp(-walk.depth * g_(-k2) / (N_ * k2.z)) / k2.z;
-    return p / (4 * g) * out;
+    return p / (4 * g) * way_out(walk, k2);
+}
+
+double FacetWalks::way_out(const Walk& walk, dvec3 k2) const {
+    return kind_ == FacetWalk::uncorrelated ? N_ / std::max(g_(k2), N_ * k2.z)
+                                            : std::exp(-walk.depth * g_(-k2) / (N_ * k2.z)) / k2.z;
 }
 
 }  // namespace nacre

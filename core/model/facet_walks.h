@@ -19,6 +19,9 @@ namespace nacre {
 // in the half space y >= 0 below the surface, and light that travels along w meets them g(-w)/N times per
 // unit of length.
 //
+// What a facet does with light: mirrors it, or sends it out by Lambert's law about its normal.
+enum class FacetScatter { mirror, matt };
+
 // All walks of a set take their bounces together.
 class FacetWalks {
   public:
@@ -32,7 +35,8 @@ class FacetWalks {
     // g(k) of directions above and below the horizon. N: <n.h> as the masking takes it.
     using Area = std::function<double(dvec3)>;
 
-    FacetWalks(const FacetDistribution& distribution, FacetWalk kind, double N, Area g);
+    FacetWalks(const FacetDistribution& distribution, FacetWalk kind, double N, Area g,
+               FacetScatter scatter = FacetScatter::mirror);
 
     // Light from each of these directions, of weight 1, has gone in. They are unit vectors above the horizon.
     void enter(std::span<const dvec3> k1, Random& random);
@@ -51,13 +55,18 @@ class FacetWalks {
     // is rho of that order.
     double next_event(const Walk& walk, dvec3 k2, double p) const;
 
+    // The chance, over k2.n, that light of a walk which a facet sends along k2 leaves by it.
+    double way_out(const Walk& walk, dvec3 k2) const;
+
   private:
+    dvec3 scattered(dvec3 view, dvec3 h, Random& random) const;
     bool leaves(Walk& walk, dvec3 d, Random& random) const;
 
     const FacetDistribution& distribution_;
     FacetWalk kind_;
     double N_;
     Area g_;
+    FacetScatter scatter_;
     std::vector<Walk> walks_;
     std::vector<dvec3> views_, facets_;
 };

@@ -25,6 +25,7 @@ nacre_kind(diffuse none NoDiffuse)
 nacre_kind(diffuse lambertian LambertianDiffuse)
 nacre_kind(diffuse coupled CoupledDiffuse)
 nacre_kind(diffuse metal MetalDiffuse)
+nacre_kind(diffuse facets FacetDiffuse)
 
 nacre_kind(multibounce none NoMultibounce)
 nacre_kind(multibounce rank_one RankOneMultibounce)

@@ -50,6 +50,12 @@ void visit_table_fields(const Visit& visit, Shapes&... shapes) {
     visit("sum_offset", shapes.sum_offset...);
     visit("difference_offset", shapes.difference_offset...);
     visit("momentum_nodes", shapes.momentum_nodes...);
+    // In the GLSL of a design with matt facets.
+    visit("facet_offset", shapes.facet_offset...);
+    visit("facet_nodes", shapes.facet_nodes...);
+    visit("facet_rows", shapes.facet_rows...);
+    visit("facet_classes", shapes.facet_classes...);
+    visit("facet_terms", shapes.facet_terms...);
 }
 
 // Without `tables`, which comes first.
@@ -66,6 +72,8 @@ void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
     visit("bounce_scale", surfaces.bounce_scale...);
     visit("bounce_mean", surfaces.bounce_mean...);
     visit("bounce_even", surfaces.bounce_even...);
+    visit("facet_scale", surfaces.facet_scale...);
+    visit("facet_even", surfaces.facet_even...);
     visit("retro", surfaces.retro...);  // in the GLSL of a retro-reflective design
 }
 

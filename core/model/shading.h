@@ -36,6 +36,7 @@ struct ShadingKinds {
     constexpr bool fresnel_is_curve() const {
         return nacre::fresnel_is_curve(static_cast<std::size_t>(fresnel));
     }
+    constexpr bool matt_facets() const { return has_matt_facets(static_cast<std::size_t>(diffuse)); }
     constexpr bool bounces() const { return has_bounces(static_cast<std::size_t>(multibounce)); }
     // Tables of what light meets that bounces on: none with F = 1, one for Schlick's weight, else one a
     // colour.

@@ -27,6 +27,7 @@
 #define MULTIBOUNCE_IS(index) kinds.multibounce == index
 #define TINTED (kinds.tint != Tint::none)
 #define TINT_VARIES (kinds.tint == Tint::varied)
+#define HAS_MATT_FACETS 1
 #define HAS_RETRO 1
 #define IS_RETRO kinds.retro
 #define OR_ZERO {}
@@ -62,6 +63,8 @@ const float* curve = nullptr;  // F, where it is a table; owned by fresnel_curve
 #include "shaders/shared/direction.glsl"
 #include "shaders/shared/retro.glsl"
 #include "core/model/masking_members.inl"
+#include "shaders/shared/visibility.glsl"
+#include "shaders/shared/matt_facets.glsl"
 #include "core/model/diffuse_members.inl"
 #include "shaders/shared/bounce_tables.glsl"
 #include "core/model/multibounce_members.inl"
@@ -191,6 +194,7 @@ void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& 
 #undef MULTIBOUNCE_IS
 #undef TINTED
 #undef TINT_VARIES
+#undef HAS_MATT_FACETS
 #undef HAS_RETRO
 #undef IS_RETRO
 #undef OR_ZERO

@@ -80,6 +80,7 @@ struct OptionalPart {
 std::vector<OptionalPart> optional_parts(const ShaderVariant& variant) {
     return {{"HAS_TINT", variant.kinds.tint != Tint::none},
             {"HAS_MULTIBOUNCE", variant.kinds.bounces()},
+            {"HAS_MATT_FACETS", variant.kinds.matt_facets()},
             {"HAS_RETRO", variant.kinds.retro},
             {"SHOWS_MULTIBOUNCE", variant.term == Term::multibounce},
             {"SHOWS_RETRO", variant.term == Term::retro}};
@@ -190,8 +191,9 @@ std::string shared_mathematics(const ShaderVariant& variant) {
         fresnel.functions.insert(0, text_of("fetch_curve.glsl") + text_of("shared/fresnel_curve.glsl"));
     const KindTexts masking =
         kind_texts<MaskingModel>("masking", "MASKING_CASE", {"_masking"}, {kinds.masking});
-    const KindTexts diffuse = kind_texts<Diffuse>("diffuse", "DIFFUSE_CASE",
-                                                  {"_share", "_diffuse", "_diffuse_albedo"}, {kinds.diffuse});
+    KindTexts diffuse = kind_texts<Diffuse>("diffuse", "DIFFUSE_CASE",
+                                            {"_share", "_diffuse", "_diffuse_albedo"}, {kinds.diffuse});
+    if (kinds.matt_facets()) diffuse.functions.insert(0, text_of("shared/matt_facets.glsl") + "\n");
     KindTexts bounces;
     if (kinds.bounces()) {
         bounces = kind_texts<Multibounce>("multibounce", "MULTIBOUNCE_CASE",
@@ -205,7 +207,8 @@ std::string shared_mathematics(const ShaderVariant& variant) {
          {text_of("choice.glsl"), text_of("shared/fresnel.glsl"), fresnel.functions,
           text_of("shared/pictures.glsl"), lobe.functions, text_of("shared/lobes.glsl"),
           text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
-          diffuse.functions + bounces.functions, retro + text_of("shared/brdf.glsl")})
+          text_of("shared/visibility.glsl"), diffuse.functions + bounces.functions,
+          retro + text_of("shared/brdf.glsl")})
         text += part + "\n";
     text = with_parts_resolved(std::move(text), variant);
     text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);

@@ -144,6 +144,12 @@ class Judgement {
         };
         check("g", result_.area, claimed.area, extreme_.area_claim);
         check("R", result_.albedo, claimed.albedo, extreme_.albedo_claim);
+        if (tables_->shading.kinds.matt_facets()) {
+            const double most = bound(claimed.facets);
+            expect(std::isfinite(most) && measured.facets.worst <= most,
+                   fmt::format("matt facets have an error of {:.2e}, the bake claims {:.2e}",
+                               measured.facets.worst, most));
+        }
         if (extreme_.design.shadowing.clamp) check_total();
     }
 

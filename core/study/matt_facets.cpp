@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/compare/facet_slopes.h"
+#include "core/model/facet_lattice.h"
 
 namespace nacre {
 
@@ -28,16 +28,6 @@ double MattFacets::brdf(dvec3 k1, dvec3 k2) const {
         both += mass_[i] * seen1 * seen2;
     }
     return g1 > 0 && g2 > 0 ? mean_cosine_ * both / (std::numbers::pi * g1 * g2) : 0;
-}
-
-double MattFacets::oren_nayar_sigma() const {
-    double sum = 0, all = 0;
-    for (std::size_t i = 0; i < mass_.size(); ++i) {
-        const double theta = std::acos(std::clamp(z_[i], -1.0, 1.0));
-        sum += mass_[i] * theta * theta;
-        all += mass_[i];
-    }
-    return std::sqrt(sum / (2 * all));
 }
 
 }  // namespace nacre

@@ -17,10 +17,6 @@ class MattFacets {
     // that goes from facet to facet is left out, as in the paper. 1/sr; unit vectors.
     double brdf(dvec3 k1, dvec3 k2) const;
 
-    // The sigma of Oren and Nayar's facets that are as steep in the mean square, radians: theirs are spread
-    // as exp(-theta^2/(2 sigma^2)) a steradian, which for a narrow p has <theta^2> = 2 sigma^2.
-    double oren_nayar_sigma() const;
-
   private:
     std::vector<double> x_, y_, z_, mass_;
     double mean_cosine_ = 0;

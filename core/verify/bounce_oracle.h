@@ -1,24 +1,12 @@
 // Multiple bounces by random walks with the exact g: what the tables are measured against.
 #pragma once
 
-#include <cstdint>
 #include <stop_token>
 
 #include "core/verify/reference.h"
+#include "core/verify/walk_estimate.h"
 
 namespace nacre {
-
-// A mean over walks and the standard error of it, each colour.
-struct WalkEstimate {
-    dvec3 mean{0};
-    dvec3 error{0};
-};
-
-struct WalkEffort {
-    int walks = 65536;
-    std::uint64_t seed = 1;
-    int first = 2, last = 1 << 20;  // bounces that count; the first is that of the walks' own masking
-};
 
 class BounceOracle {
   public:
@@ -35,6 +23,11 @@ class BounceOracle {
     WalkEstimate albedo(dvec3 k1, const WalkEffort& effort = {}, const std::stop_token& stop = {}) const;
 
   private:
+    // Of the bounces that count: before(walks, scores) each of them, leave(walk, scores) where light comes
+    // out.
+    template <class Before, class Leave>
+    WalkEstimate over_bounces(dvec3 k1, const WalkEffort& effort, const std::stop_token& stop,
+                              const Before& before, const Leave& leave) const;
     // Without retro-reflection.
     WalkEstimate forward_rho(dvec3 k1, dvec3 k2, const WalkEffort& effort, const std::stop_token& stop) const;
     WalkEstimate forward_albedo(dvec3 k1, const WalkEffort& effort, const std::stop_token& stop) const;
@@ -43,7 +36,7 @@ class BounceOracle {
     double scale(dvec3 k, const std::stop_token& stop) const;
 
     const Reference& reference_;
-    bool scaled_;
+    FacetWalk walk_;
 };
 
 }  // namespace nacre

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/bake/albedo.h"
 #include "core/bake/bake.h"
@@ -19,12 +21,17 @@ constexpr int depth = 18;
 // Of a modulated lobe: points along azimuth and along the angle from the axis.
 constexpr int grid_side = 1500;
 
-// p and (k.h)+ p over one hemisphere, the second divided by `unit`.
+// p over one hemisphere, and p times (k.h)+ of each of these k, divided by `unit`.
 class SpanIntegral {
   public:
-    SpanIntegral(const PlacedLobe& placed, const LobeParameterization& span, dvec3 k, double unit,
-                 double tolerance, const std::stop_token& stop)
-        : walk_(placed, span, k), span_(span), k_(k), unit_(unit), tolerance_(tolerance), stop_(stop) {}
+    SpanIntegral(const PlacedLobe& placed, const LobeParameterization& span, std::vector<dvec3> k,
+                 double unit, double tolerance, const std::stop_token& stop)
+        : walk_(placed, span, k.front()),
+          span_(span),
+          k_(std::move(k)),
+          unit_(unit),
+          tolerance_(tolerance),
+          stop_(stop) {}
 
     // Where k grazes, facets turn from it at all angles within a hair of each half's ends.
     Pair adaptive() const {
@@ -58,20 +65,23 @@ class SpanIntegral {
   private:
     Pair at(double psi, double chi) const {
         const Facet facet = walk_.facet(walk_.ray(psi), chi);
-        return {facet.mass, facet.mass * std::fmax(glm::dot(facet.h, k_), 0.0) / unit_};
+        double seen = facet.mass / unit_;
+        for (const dvec3& k : k_) seen *= std::fmax(glm::dot(facet.h, k), 0.0);
+        return {facet.mass, seen};
     }
 
     // The angle at which the great circle's facets turn from k: k.a cos(chi) + |e| k.e sin(chi) = 0.
-    double turning_angle(double psi) const {
+    double turning_angle(dvec3 k, double psi) const {
         const double size = std::hypot(span_.stretch.x * std::cos(psi), span_.stretch.y * std::sin(psi));
-        const double ka = glm::dot(k_, walk_.facet(walk_.ray(psi), 0).h);
-        const double ke = glm::dot(k_, walk_.facet(walk_.ray(psi), 0.5 * pi).h) * size;
+        const double ka = glm::dot(k, walk_.facet(walk_.ray(psi), 0).h);
+        const double ke = glm::dot(k, walk_.facet(walk_.ray(psi), 0.5 * pi).h) * size;
         return std::atan2(ka, -ke);
     }
 
     Pair over_chi(double psi) const {
         if (stop_.stop_requested()) throw BakeCancelled();
-        std::vector<double> cuts = {0, 0.5 * pi, turning_angle(psi)};
+        std::vector<double> cuts = {0, 0.5 * pi};
+        for (const dvec3& k : k_) cuts.push_back(turning_angle(k, psi));
         cuts.insert(cuts.end(), span_.breaks.begin(), span_.breaks.end());
         std::sort(cuts.begin(), cuts.end());
         Pair sum{};
@@ -86,7 +96,7 @@ class SpanIntegral {
 
     GreatCircleQuadrature walk_;
     LobeParameterization span_;
-    dvec3 k_;
+    std::vector<dvec3> k_;
     double unit_, tolerance_;
     const std::stop_token& stop_;
 };
@@ -119,7 +129,7 @@ FacetIntegral integrate_facets(const Distribution& design, const FacetDistributi
             continue;
         }
         for (const LobeParameterization& span : placed.lobe->domains()) {
-            const SpanIntegral integral(placed, span, k, unit, check_tolerance, stop);
+            const SpanIntegral integral(placed, span, {k}, unit, check_tolerance, stop);
             const Pair values = layer.modulation ? integral.on_grid() : integral.adaptive();
             sum.whole += values[0];
             sum.visible += values[1] * unit;
@@ -134,7 +144,19 @@ double AdaptiveArea::operator()(dvec3 k, const std::stop_token& stop) const {
         const PlacedLobe& placed = distribution_.lobes()[i];
         for (const Facet& facet : facets_[i]) sum += facet.mass * std::fmax(glm::dot(facet.h, k), 0.0);
         for (const LobeParameterization& span : placed.lobe->spans())
-            sum += SpanIntegral(placed, span, k, 1, tolerance_, stop).adaptive()[1];
+            sum += SpanIntegral(placed, span, {k}, 1, tolerance_, stop).adaptive()[1];
+    }
+    return sum;
+}
+
+double AdaptiveProduct::operator()(dvec3 k1, dvec3 k2, double tolerance, const std::stop_token& stop) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+        const PlacedLobe& placed = distribution_.lobes()[i];
+        for (const Facet& facet : facets_[i])
+            sum += facet.mass * std::fmax(glm::dot(facet.h, k1), 0.0) * std::fmax(glm::dot(facet.h, k2), 0.0);
+        for (const LobeParameterization& span : placed.lobe->spans())
+            sum += SpanIntegral(placed, span, {k1, k2}, 1, tolerance, stop).adaptive()[1];
     }
     return sum;
 }

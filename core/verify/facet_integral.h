@@ -35,6 +35,20 @@ class AdaptiveArea {
     std::vector<std::vector<Facet>> facets_;
 };
 
+// The integral of (k1.h)+ (k2.h)+ p(h) dh, in the same way.
+class AdaptiveProduct {
+  public:
+    explicit AdaptiveProduct(const FacetDistribution& distribution)
+        : distribution_(distribution), facets_(distribution.facets(0)) {}
+
+    // To an absolute tolerance. Throws BakeCancelled soon after a stop is requested.
+    double operator()(dvec3 k1, dvec3 k2, double tolerance, const std::stop_token& stop = {}) const;
+
+  private:
+    const FacetDistribution& distribution_;
+    std::vector<std::vector<Facet>> facets_;
+};
+
 // A picture takes part.
 bool holds_picture(const Distribution& design);
 

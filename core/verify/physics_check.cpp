@@ -142,6 +142,13 @@ class PhysicsCheckRun {
         const TableErrors errors = measure_table_errors(*tables_, reference_, stop_);
         check_table("table of g", "tolerance of g", errors.area, tables_->errors.area);
         check_table("tables of R", "tolerance of R", errors.albedo, tables_->errors.albedo);
+        if (!tables_->shading.kinds.matt_facets()) return;
+        const TableError& claim = tables_->errors.facets;
+        const double most = allowed_error(claim, tables_->tolerance);
+        add("matt facets", errors.facets.worst, most,
+            verdict(std::isfinite(most) && errors.facets.worst <= most),
+            fmt::format("worst error of what they show of each other, {} pairs; the bake claims {:.2e}",
+                        errors.facets.directions, claim.worst));
     }
 
     void check_table(const char* name, const char* wish, const TableError& measured,

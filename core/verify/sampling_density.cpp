@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "core/bake/bake.h"
+#include "core/bake/bounce_directions.h"
 #include "core/bake/brdf.h"
 #include "core/bake/mirror_ways.h"
 #include "core/model/span_facet.h"
@@ -51,13 +51,6 @@ std::vector<Facet> visible_facets(const FacetDistribution& distribution, dvec3 k
     return facets;
 }
 
-// Points of equal shares of the cosine: a spiral on the disk (Vogel 1979).
-dvec3 cosine_point(int i) {
-    const double square = (i + 0.5) / cosine_points, radius = std::sqrt(square);
-    const double phi = 2 * std::numbers::pi * std::fmod(i * std::numbers::phi, 1.0);
-    return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - square)};
-}
-
 // One way of the specular term from one k1, by p itself.
 struct WayFrom {
     MirrorWay way;
@@ -98,7 +91,7 @@ std::vector<DirectionShare> shares_at(const Brdf& brdf, dvec3 k1) {
             add(way.way.leaving(glm::normalize(2 * glm::dot(way.k1, facet.h) * facet.h - way.k1)),
                 facet.mass);
     if (with_cosine)
-        for (int i = 0; i < cosine_points; ++i) add(cosine_point(i), 1.0 / cosine_points);
+        for (const dvec3 k : even_directions(cosine_points)) add(k, 1.0 / cosine_points);
     return shares;
 }
 

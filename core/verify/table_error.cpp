@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "core/bake/bake.h"
+#include "core/bake/facet_tables.h"
 #include "core/verify/close_albedo.h"
 #include "core/verify/effort.h"
+#include "core/verify/facet_oracle.h"
 
 namespace nacre {
 namespace {
@@ -18,6 +20,19 @@ constexpr double albedo_tolerance = 1e-5;
 constexpr double albedo_seconds = 12;  // of the processor, for R; no fewer than least_albedos directions
 constexpr int least_albedos = 4;
 constexpr double claim_slack = 1.25;  // between the bake's directions the error may be so much larger
+
+// Of matt facets, of each probe and the one after the next.
+TableError facet_errors(const Tables& tables, const Reference& reference, int count,
+                        const std::stop_token& stop) {
+    const FacetOracle oracle(reference);
+    const std::vector<dvec3> probes = probe_directions(count);
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        const dvec3 a = probes[i], b = probes[(i + 2) % probes.size()];
+        errors.push_back(facet_error(tables.shading, a, b, oracle.product(a, b, stop)));
+    }
+    return summarise(errors);
+}
 
 }  // namespace
 
@@ -43,6 +58,8 @@ TableErrors measure_table_errors(const Tables& tables, const Reference& referenc
     for (const dvec3 k : probe_directions(counts.area))
         errors.push_back(area_error(tables.shading, k, reference.projected_area(k)));
     result.area = summarise(errors);
+    if (tables.shading.kinds.matt_facets())
+        result.facets = facet_errors(tables, reference, counts.albedo, stop);
     if (!tables.needs.albedo) return result;
     const std::vector<dvec3> probes = probe_directions(counts.albedo);
     errors.assign(probes.size(), 0);

@@ -50,6 +50,13 @@ struct TableShape {
     int difference_offset;  // and over their difference
     int momentum_nodes;     // of these three, from 0 to 2
 #endif
+#if HAS_MATT_FACETS
+    int facet_offset;   // facet_classes facet_terms + 1 tables: u of each term, then E; see matt_facets.glsl
+    int facet_nodes;    // along w
+    int facet_rows;     // along psi
+    int facet_classes;
+    int facet_terms;    // of each class
+#endif
 };
 
 struct Surface {
@@ -66,6 +73,10 @@ struct Surface {
     scalar3 bounce_scale; // C of multibounce.glsl
     scalar3 bounce_mean;  // F(k) in the mean over e
     scalar bounce_even;   // 1/(pi <e>)
+#endif
+#if HAS_MATT_FACETS
+    scalar3 facet_scale;  // albedo of two and more bounces between matt facets, of the light that they keep
+    scalar facet_even;    // 1/(pi <1 - E>)
 #endif
 #if HAS_RETRO
     scalar retro;         // weight of retro-reflection in the specular term

@@ -24,7 +24,8 @@ std::vector<std::string> lines_of_text(const std::string& text) {
 std::vector<Design> every_model() {
     std::vector<Design> designs;
     const Fresnel fresnels[] = {NoFresnel{}, SchlickFresnel{}, DielectricFresnel{}, ConductorFresnel{}};
-    const Diffuse diffuses[] = {NoDiffuse{}, LambertianDiffuse{}, CoupledDiffuse{}, MetalDiffuse{}};
+    const Diffuse diffuses[] = {NoDiffuse{}, LambertianDiffuse{}, CoupledDiffuse{}, MetalDiffuse{},
+                                FacetDiffuse{}};
     for (int i = 0; i < 12; ++i) {
         Design design = design_of(GgxLobe{0.1, 0.5});
         if (i % 4 == 1) design.distribution.layers[0].tilt = 40;
@@ -32,7 +33,7 @@ std::vector<Design> every_model() {
         design.shadowing.model =
             KindSet<MaskingModel>::made(static_cast<std::size_t>(i) % KindSet<MaskingModel>::count);
         design.fresnel = fresnels[i % 4];
-        design.diffuse = diffuses[(i + i / 4) % 4];
+        design.diffuse = diffuses[(i + i / 4) % 5];
         designs.push_back(design);
     }
     return designs;
@@ -151,4 +152,32 @@ TEST_CASE("a term that is not there is wrong usage") {
     const DesignOnDisk design(design_of(GaussianLobe{}));
     for (const char* term : {"facets", "nonsense"})
         CHECK(run_cli({"eval", design.path(), "--term", term}).code == 2);
+}
+
+TEST_CASE("eval --exact walks for light that bounces between facets, and tells the standard error") {
+    Design model = design_of(GgxLobe{0.5, 0.5});
+    model.fresnel = SchlickFresnel{{0.9, 0.6, 0.3}};
+    model.multibounce = RankOneMultibounce{};
+    model.diffuse = FacetDiffuse{.albedo = {0.9, 0.5, 0.2}};
+    const DesignOnDisk design(model);
+    const ChildOptions input{.input = "0.5 0.1 0.8 -0.6 0.2 0.7\n"};
+    for (const char* term : {"multibounce", "diffuse"}) {
+        const auto with = [&](const char* walks) {
+            return run_cli({"eval", design.path(), "--exact", "--term", term, "--walks", walks}, input);
+        };
+        const Finished few = with("2048"), many = with("131072");
+        REQUIRE(few.code == 0);
+        CHECK(few.err.find("by 2048 walks a line: standard error at most ") != std::string::npos);
+        const auto error = [](const Finished& finished) {
+            return std::stod(finished.err.substr(finished.err.rfind(' ')));
+        };
+        CHECK(error(many) < 0.25 * error(few));
+        const auto from_tables = rows(answer({"eval", design.path(), "--term", term}, input.input)).at(0);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double walked = rows(many.out).at(0).at(c);
+            CHECK(std::fabs(walked - rows(few.out).at(0).at(c)) < 4 * (error(few) + error(many)));
+            CHECK(std::fabs(walked - from_tables.at(c)) < 0.25 * walked + 3 * error(many));
+        }
+    }
+    CHECK(run_cli({"eval", design.path(), "--walks", "10"}, input).code == 2);
 }

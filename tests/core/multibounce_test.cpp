@@ -14,6 +14,7 @@
 #include "tests/core/cheap.h"
 #include "tests/core/dense_bounces.h"
 #include "tests/core/random_directions.h"
+#include "tests/core/reciprocity.h"
 #include "tests/core/user_error_of.h"
 
 using namespace nacre;
@@ -89,6 +90,17 @@ TEST_CASE(
             CHECK(interpolants <= 1e-6);
             CHECK(measure_bounces(*tables, {}).furnace <= std::max(tables->errors.albedo.worst, 1e-3));
         }
+}
+
+TEST_CASE("multiple bounces: reciprocity to the last bit, of every symmetry and sent back") {
+    for (Design design : many()) {
+        design.fresnel = SchlickFresnel{{0.95, 0.6, 0.3}};
+        for (const double retro : {0.0, 0.4}) {
+            design.retro.weight = retro;
+            check_reciprocity(bake(design));
+        }
+        if (cheap) return;
+    }
 }
 
 TEST_CASE("grooves and brushed metal send their later bounces where a dense solution does") {

@@ -8,15 +8,14 @@
 
 #include "core/bake/baker.h"
 #include "core/bake/brdf.h"
-#include "core/bake/brdf_pairs.h"
 #include "core/design/design_file.h"
 #include "core/formats/glsl_export.h"
 #include "core/formats/table_files.h"
 #include "core/formats/table_manifest.h"
-#include "core/model/float_shading.h"
 #include "core/shading/shader_variant.h"
 #include "core/verify/reference.h"
 #include "tests/core/integrated.h"
+#include "tests/core/reciprocity.h"
 #include "tests/core/retro_designs.h"
 #include "tests/core/tinted_designs.h"
 #include "tests/core/user_error_of.h"
@@ -189,28 +188,7 @@ TEST_CASE("what the tables answer is what adaptive integration answers") {
 }
 
 TEST_CASE("retro: reciprocity to the last bit, in double, in float and side by side") {
-    for (const Design& design : designs()) {
-        const auto tables = bake(design, {.quality = Quality::draft});
-        const Brdf brdf(tables);
-        const Shading<float> shading = in_float(tables->shading);
-        Random random(7);
-        std::vector<glm::vec3> k1, k2;
-        for (int i = 0; i < 500; ++i) {
-            const dvec3 a = random_direction(random), b = i % 5 == 0 ? a : random_direction(random);
-            CHECK(brdf.evaluate(a, b) == brdf.evaluate(b, a));
-            k1.emplace_back(a);
-            k2.emplace_back(b);
-            CHECK(shading.brdf(k1.back(), k2.back()) == shading.brdf(k2.back(), k1.back()));
-        }
-        std::vector<glm::vec3> there(k1.size()), back(k1.size());
-        evaluate_pairs(shading, k1, k2, there);
-        evaluate_pairs(shading, k2, k1, back);
-        for (std::size_t i = 0; i < k1.size(); ++i) {
-            CHECK(there[i] == back[i]);
-            for (int c = 0; c < 3; ++c)
-                CHECK(there[i][c] == doctest::Approx(shading.brdf(k1[i], k2[i])[c]).epsilon(2e-5));
-        }
-    }
+    for (const Design& design : designs()) check_reciprocity(drafted(design));
 }
 
 TEST_SUITE_END();

@@ -16,7 +16,7 @@ constexpr double most_surprise = 6;
 constexpr int few = 3;  // directions
 
 std::vector<Diffuse> diffuse_models() {
-    return {NoDiffuse{}, LambertianDiffuse{}, CoupledDiffuse{}, MetalDiffuse{}};
+    return {NoDiffuse{}, LambertianDiffuse{}, CoupledDiffuse{}, MetalDiffuse{}, FacetDiffuse{}};
 }
 
 // Brdf's sampler but for how often it draws the cosine.

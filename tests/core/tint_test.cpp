@@ -8,13 +8,12 @@
 
 #include "core/bake/baker.h"
 #include "core/bake/brdf.h"
-#include "core/bake/brdf_pairs.h"
 #include "core/design/design_file.h"
-#include "core/model/float_shading.h"
 #include "core/verify/physics_check.h"
 #include "core/verify/reference.h"
 #include "tests/core/integrated.h"
 #include "tests/core/random_directions.h"
+#include "tests/core/reciprocity.h"
 #include "tests/core/tinted_designs.h"
 #include "tests/core/user_error_of.h"
 
@@ -123,24 +122,7 @@ TEST_CASE("exact R is that of the tables, in every colour") {
 }
 
 TEST_CASE("reciprocity to the last bit, in double, in float and side by side") {
-    for (const Design& design : velvets()) {
-        const auto tables = bake(design, {.quality = Quality::draft});
-        const Brdf brdf(tables);
-        const Shading<float> shading = in_float(tables->shading);
-        Random random(7);
-        std::vector<glm::vec3> k1, k2;
-        for (int i = 0; i < 500; ++i) {
-            const dvec3 a = random_direction(random), b = random_direction(random);
-            CHECK(brdf.evaluate(a, b) == brdf.evaluate(b, a));
-            k1.emplace_back(a);
-            k2.emplace_back(b);
-            CHECK(shading.brdf(k1.back(), k2.back()) == shading.brdf(k2.back(), k1.back()));
-        }
-        std::vector<glm::vec3> there(k1.size()), back(k1.size());
-        evaluate_pairs(shading, k1, k2, there);
-        evaluate_pairs(shading, k2, k1, back);
-        for (std::size_t i = 0; i < k1.size(); ++i) CHECK(there[i] == back[i]);
-    }
+    for (const Design& design : velvets()) check_reciprocity(bake(design, {.quality = Quality::draft}));
 }
 
 TEST_CASE("a tint that all layers share is a factor on the tables of the design without it") {

@@ -39,7 +39,7 @@ class Stranger:
         self.manifest = json.loads((folder / "manifest.json").read_text())
         self.pictures, self.compiled = {}, {}
         for table in self.manifest["tables"]:
-            self.pictures[table["file"]] = oiio.ImageBuf(str(folder / table["file"])).get_pixels(oiio.FLOAT)
+            self.pictures[table["file"]] = oiio.ImageBuf(str(folder / table["file"])).get_pixels(oiio.FLOAT).astype(float)
         self.tables = {table["quantity"]: self.pictures[table["file"]] for table in self.manifest["tables"]}
         self.known = {**FUNCTIONS, **{key: np.array(value) if isinstance(value, list) else value
                                       for part in ("constants", "material") for key, value in self.manifest[part].items()}}
@@ -49,6 +49,8 @@ class Stranger:
         for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual"), *((name, name) for name in ("whole", "factor", "brought", "spread"))):
             self.known[name] = lambda at, row, quantity=quantity: self.look_up(quantity, at, row)
 
+        self.known["facet_albedo"] = lambda at, row: self.look_up("facet_albedo", at, row)
+        self.known["facets"] = self.facets
         for table in self.manifest["tables"]:
             if table["quantity"] in ("sum", "difference"):
                 self.known[table["quantity"]] = lambda t, table=table: self.at_momentum(table, t)
@@ -108,13 +110,32 @@ class Stranger:
         return bilinear(texels, column, row, min(int(row) + 1, side - 1))
 
     def look_up(self, quantity, at, azimuth):
+        return self.look_into(self.tables[quantity], at, azimuth)
+
+    def look_into(self, texels, at, azimuth):
         """The rules of `texels`; one number, or one for each colour."""
-        texels, symmetry = self.tables[quantity], self.manifest["symmetry"]
+        symmetry = self.manifest["symmetry"]
         rows, columns = texels.shape[:2]
         row = azimuth * {"isotropic": 0, "quarter": rows - 1, "half": (rows - 1) / 2, "none": rows / 4}[symmetry]
         below = (int(row) + 1) % rows if symmetry == "none" else min(int(row) + 1, rows - 1)
         value = bilinear(texels, at * (columns - 1), row, below)
         return value if len(value) > 1 else value[0]
+
+    def facets(self, a, b):
+        """Class by class, term by term."""
+        rows, (c, s) = len(self.tables["facet_albedo"]), self.known["axis"]
+        here, there = self.direction(a), self.direction(b)
+        (x1, y1), (x2, y2) = ((c * k[0] + s * k[1], c * k[1] - s * k[0]) for k in (a, b))
+        apart = np.arctan2(y1, x1) - np.arctan2(y2, x2)
+        side = lambda p, q: -1 if (p < 0) != (q < 0) else 1
+        signs = [1, side(y1, y2), side(x1, x2), side(y1, y2) * side(x1, x2)]
+        total = 0
+        for term in range(self.known["facet_classes"] * self.known["facet_terms"]):
+            own = self.tables["facet_terms"][term * rows:(term + 1) * rows]
+            kind = term // self.known["facet_terms"]
+            sign = np.cos(kind * apart) if self.manifest["symmetry"] == "isotropic" else signs[kind]
+            total += sign * self.look_into(own, here["w"], here["psi"]) * self.look_into(own, there["w"], there["psi"])
+        return max(total, 0)
 
     def at_momentum(self, table, t):
         """Of a vector along the surface, by what the table says of its axes."""
@@ -144,7 +165,7 @@ class Stranger:
         for index, k in (("1", k1), ("2", k2)):
             x, y = k[:2] if k[0] or k[1] else self.known["axis"]
             own = self.direction(k)
-            scope.update({name + index: own[name] for name in ("g", "a", "e", "Fb") if name in own})
+            scope.update({name + index: own[name] for name in ("g", "a", "e", "Fb", "Ef", "K") if name in own})
             scope.update({"x" + index: x, "y" + index: y, "z" + index: k[2]})
         return scope
 

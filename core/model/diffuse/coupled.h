@@ -29,6 +29,7 @@ struct CoupledDiffuse {
     static constexpr const char* formula =
         "rho = specular + coupling diffuse_albedo max(0, 1 - R(k1)) max(0, 1 - R(k2))";
     static constexpr bool reads_albedo = true;
+    static constexpr bool matt_facets = false;
     ShaderDiffuse shader(glm::dvec3) const { return {.albedo = albedo}; }
     std::optional<glm::dvec3> own_albedo() const { return albedo; }
     static CoupledDiffuse of_albedo(glm::dvec3 albedo) { return {albedo}; }

@@ -23,6 +23,7 @@ struct MetalDiffuse {
         "rho = specular + coupling diffuse_albedo max(0, diffuse_albedo - R(k1)) max(0, diffuse_albedo - "
         "R(k2))";
     static constexpr bool reads_albedo = true;
+    static constexpr bool matt_facets = false;
     ShaderDiffuse shader(glm::dvec3 f0) const { return {.albedo = f0}; }
     std::optional<glm::dvec3> own_albedo() const { return {}; }
     static MetalDiffuse of_albedo(glm::dvec3) { return {}; }

@@ -20,6 +20,7 @@ struct NoDiffuse {
 
     static constexpr const char* formula = "rho = specular";
     static constexpr bool reads_albedo = false;
+    static constexpr bool matt_facets = false;
     ShaderDiffuse shader(glm::dvec3) const { return {}; }
     std::optional<glm::dvec3> own_albedo() const { return {}; }
     static NoDiffuse of_albedo(glm::dvec3) { return {}; }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/bake/bake.h"
+#include "core/compare/facet_slopes.h"
 #include "core/model/facet_distribution.h"
 #include "core/model/polar_angles.h"
 #include "core/plot/section_plots.h"
@@ -83,7 +84,7 @@ double apart(const RoundBrdf& a, const RoundBrdf& b) {
 PaperResult make(const PaperTools& tools) {
     const FacetDistribution p(paper_gaussian(1, 1).distribution);
     const MattFacets facets(p);
-    const double sigma = facets.oren_nayar_sigma();
+    const double sigma = oren_nayar_sigma(p);
     const OrenNayar theirs(sigma);
     const Surfaces all{[](dvec3, dvec3) { return 1 / pi; },
                        [&](dvec3 k1, dvec3 k2) { return theirs.full(k1, k2); },

@@ -24,6 +24,7 @@ struct EvenDiffuse {
     }
     static constexpr const char* formula = "rho = specular/2 + diffuse_albedo/(2 pi)";
     static constexpr bool reads_albedo = false;
+    static constexpr bool matt_facets = false;
     ShaderDiffuse shader(glm::dvec3) const { return {albedo, 0.5, 0.5}; }
     std::optional<glm::dvec3> own_albedo() const { return albedo; }
     static EvenDiffuse of_albedo(glm::dvec3 albedo) { return {albedo}; }
