@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "rig.h"
+#include "ui/canvas_tools.h"
 
 namespace {
 
@@ -48,6 +49,22 @@ TEST_CASE("Layout: the panel's border moves the panel alone, within bounds") {
     rig.play("drag \"Panel border\" 1270 400\n");
     rig.stage.frame();
     CHECK(box(rig, "Canvas").x < 0.41f * 1280);
+}
+
+TEST_CASE("Layout: the canvas stays where it is, whatever the tool") {
+    for (const int width : {1280, 1600, 2560}) {
+        Rig rig({width, 800});
+        const ImVec4 before = box(rig, "Canvas");
+        for (const nacre::ui::ToolEntry& entry : nacre::ui::canvas_tools()) {
+            CAPTURE(width);
+            CAPTURE(entry.face->name);
+            rig.canvas().tool = entry.tool;
+            rig.play("frames 2");
+            const ImVec4 after = box(rig, "Canvas");
+            CHECK(after.y == before.y);
+            CHECK(after.w == before.w);
+        }
+    }
 }
 
 TEST_CASE("Scale: another monitor's makes everything larger by as much, and back again") {
