@@ -1,6 +1,6 @@
 // Borders between the parts of the window, and the scale of all of it.
 #include <doctest/doctest.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "rig.h"
 #include "ui/canvas_tools.h"
@@ -65,6 +65,15 @@ TEST_CASE("Layout: the canvas stays where it is, whatever the tool") {
             CHECK(after.w == before.w);
         }
     }
+}
+
+TEST_CASE("Layout: the sheet of shortcuts fits a small window") {
+    Rig rig({1280, 720});
+    rig.play("key F1\nframes 5");
+    const ImGuiWindow* sheet = ImGui::FindWindowByName("Shortcuts");
+    REQUIRE(sheet != nullptr);
+    CHECK(sheet->ScrollMax.x == 0);
+    CHECK(sheet->ScrollMax.y == 0);
 }
 
 TEST_CASE("Scale: another monitor's makes everything larger by as much, and back again") {
