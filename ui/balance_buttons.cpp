@@ -31,7 +31,7 @@ void balance_button(CanvasState& state, const std::optional<dvec3>& mean, Distri
 
 void straighten_button(const std::optional<dvec3>& mean, Distribution& distribution) {
     if (button(
-            "Straighten",
+            straighten_text,
             "Turn all layers together by the smallest angle that brings the mean normal to n. While it "
             "is tilted, facets on one side show more area than the surface has, and Conserve energy limits "
             "what is seen of them.",

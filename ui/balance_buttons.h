@@ -11,5 +11,6 @@ void balance_button(CanvasState& state, const std::optional<dvec3>& mean, Distri
 void straighten_button(const std::optional<dvec3>& mean, Distribution& distribution);
 
 inline constexpr const char* balance_text = "Balance";
+inline constexpr const char* straighten_text = "Straighten";
 
 }  // namespace nacre::ui

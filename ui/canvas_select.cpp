@@ -14,7 +14,6 @@ namespace {
 constexpr double pixels_a_step = 1.5;  // between two corners of a lasso
 constexpr double click_pixels = 3;     // a shorter drag is a click
 constexpr float dash = 4;              // length of one, and of the gap behind it
-constexpr float hint_ems = 9;          // the least width to read a hint in
 
 SelectMode mode_of_keys() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -131,23 +130,23 @@ void draw_selection(const CanvasState& state, const CanvasFrame& frame) {
     line.end();
 }
 
-void selection_row(CanvasState& state) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    if (button("All##Select everything", "Selects the whole canvas.")) state.selection = select_all();
-    ImGui::SameLine(0, gap);
-    if (button("None##Select nothing", "Selects nothing: the tools work everywhere.",
-               state.selection != nullptr))
-        state.selection.reset();
-    ImGui::SameLine(0, gap);
-    if (button("Invert##Invert what is selected", "Selects what is not selected, and no longer what is.",
-               state.selection != nullptr))
-        state.selection = inverted(*state.selection);
-    ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x < hint_ems * ImGui::GetFontSize()) return ImGui::NewLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
-    ImGui::TextWrapped("Shift adds, Ctrl takes away.");
-    ImGui::PopStyleColor();
+ToolbarRow selection_row(CanvasState& state) {
+    ToolbarRow row;
+    row.add(button_width("All"), [&state] {
+        if (button("All##Select everything", "Selects the whole canvas.")) state.selection = select_all();
+    });
+    row.add(button_width("None"), [&state] {
+        if (button("None##Select nothing", "Selects nothing: the tools work everywhere.",
+                   state.selection != nullptr))
+            state.selection.reset();
+    });
+    row.add(button_width("Invert"), [&state] {
+        if (button("Invert##Invert what is selected", "Selects what is not selected, and no longer what is.",
+                   state.selection != nullptr))
+            state.selection = inverted(*state.selection);
+    });
+    row.add_hint("Shift adds, Ctrl takes away.");
+    return row;
 }
 
 }  // namespace nacre::ui

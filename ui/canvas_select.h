@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/hemisphere_canvas.h"
+#include "ui/toolbar_row.h"
 
 namespace nacre::ui {
 
@@ -13,6 +14,6 @@ bool select_area(CanvasState& state, const CanvasFrame& frame);
 void draw_selection(const CanvasState& state, const CanvasFrame& frame);
 
 // What stands in place of the brush's numbers.
-void selection_row(CanvasState& state);
+ToolbarRow selection_row(CanvasState& state);
 
 }  // namespace nacre::ui

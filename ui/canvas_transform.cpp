@@ -217,24 +217,22 @@ void draw_transform(const CanvasState& state, const CanvasFrame& frame) {
     knob(knob_pixel(frame, box), 5, hot && hot->kind == TransformGrip::Kind::turn);
 }
 
-void transform_row(CanvasState& state, Distribution& distribution) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const bool pending = transform_pending(state);
-    if (button("Apply##Apply transform",
-               "Keeps what is shown, in one step of undo: Enter, or a click outside.", pending))
-        apply_transform(state);
-    ImGui::SameLine(0, gap);
-    if (button("Cancel##Cancel transform", "Everything as it was: Escape.", pending))
-        take_back(state, distribution);
-    ImGui::SameLine(0, gap);
-    combine_choice(state.brush, "Combine carried", button_width("Maximum") + ImGui::GetFrameHeight());
-    ImGui::SameLine();
-    const char* words = state.transform ? "Shift keeps the ratio." : "Nothing is painted here.";
-    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(words).x) return ImGui::NewLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::text_dim);
-    ImGui::TextUnformatted(words);
-    ImGui::PopStyleColor();
+ToolbarRow transform_row(CanvasState& state, Distribution& distribution) {
+    ToolbarRow row;
+    row.add(button_width("Apply"), [&state] {
+        if (button("Apply##Apply transform",
+                   "Keeps what is shown, in one step of undo: Enter, or a click outside.",
+                   transform_pending(state)))
+            apply_transform(state);
+    });
+    row.add(button_width("Cancel"), [&state, &distribution] {
+        if (button("Cancel##Cancel transform", "Everything as it was: Escape.", transform_pending(state)))
+            take_back(state, distribution);
+    });
+    const float list = std::floor(button_width("Maximum") + ImGui::GetFrameHeight());
+    row.add(list, [&state, list] { combine_choice(state.brush, "Combine carried", list); });
+    row.add_hint(state.transform ? "Shift keeps the ratio." : "Nothing is painted here.");
+    return row;
 }
 
 }  // namespace nacre::ui

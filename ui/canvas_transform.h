@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/hemisphere_canvas.h"
+#include "ui/toolbar_row.h"
 
 namespace nacre::ui {
 
@@ -14,7 +15,7 @@ bool transform_paint(CanvasState& state, const CanvasFrame& frame, Distribution&
 void draw_transform(const CanvasState& state, const CanvasFrame& frame);
 
 // What stands in place of the brush's numbers.
-void transform_row(CanvasState& state, Distribution& distribution);
+ToolbarRow transform_row(CanvasState& state, Distribution& distribution);
 
 // What is on the screen holds; what was selected lies where it was carried to.
 void apply_transform(CanvasState& state);

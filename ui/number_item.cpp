@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "ui/escape.h"
 #include "ui/focus.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr const char* item_label = "##value";
 constexpr double complaint_seconds = 8;
 constexpr float complaint_ems = 17;  // width of its text
+constexpr float drag_pixels = 3;     // a shorter one is a click, which moves nothing
 
 // Only one field at a time has the keyboard, and only one the mouse.
 struct Typing {
@@ -40,6 +42,8 @@ Complaint complaint;
 struct Press {
     bool awaits_second = false;
     double before = 0, time = 0;
+    float away = 0;  // pixels from the pointer to the slider's mark
+    bool drags = false;
 };
 Press press;
 
@@ -97,17 +101,29 @@ void step(const SliderSpec& spec, double steps, double& value) {
     value = std::clamp(value, std::min(spec.least, before), std::max(spec.most, before));
 }
 
+bool drag_begins() {
+    const float reach = scaled(drag_pixels);
+    return ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > reach * reach;
+}
+
+// The mark goes with the pointer as far as that goes, wherever in the slider it was pressed.
 void slide(const SliderSpec& spec, ImGuiID id, const ImRect& box, double& value) {
     if (ImGui::GetActiveID() != id) return;
     if (take_escape_of_drag()) {
         value = press.before;
         return;
     }
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) return ImGui::ClearActiveID();
+    press.drags |= drag_begins();
+    if (!press.drags) return;
     const ImGuiSliderFlags flags = spec.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     ImRect grab;
-    if (!ImGui::SliderBehavior(box, id, ImGuiDataType_Double, &value, &spec.low, &spec.high, spec.format,
-                               flags, &grab))
-        return;
+    float& pointer = ImGui::GetIO().MousePos.x;
+    const float there = std::exchange(pointer, pointer + press.away);
+    const bool changed = ImGui::SliderBehavior(box, id, ImGuiDataType_Double, &value, &spec.low, &spec.high,
+                                               spec.format, flags, &grab);
+    pointer = there;
+    if (!changed) return;
     if (spec.whole) value = std::round(value);
     ImGui::MarkItemEdited(id);
 }
@@ -153,6 +169,17 @@ bool is_tabbed(ImGuiID) {
 
 }  // namespace
 
+float slider_mark(const SliderSpec& spec, double value, float low, float high) {
+    const double at = std::clamp(value, spec.low, spec.high);
+    const double share = spec.logarithmic ? std::log(at / spec.low) / std::log(spec.high / spec.low)
+                                          : (at - spec.low) / (spec.high - spec.low);
+    // As far from the ends as Dear ImGui keeps the middle of its grab.
+    const float margin = slider_margin();
+    return low + margin + static_cast<float>(share) * (high - low - 2 * margin);
+}
+
+float slider_margin() { return 2 + ImGui::GetStyle().GrabMinSize * 0.5f; }
+
 NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const std::string& name,
                        double& value) {
     ImGuiWindow& window = *ImGui::GetCurrentWindow();
@@ -172,7 +199,11 @@ NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const st
             ImGui::SetFocusID(id, &window);
             ImGui::FocusWindow(&window);
             begins = tabbed || handling == NumberHandling::type || ImGui::GetIO().KeyCtrl;
-            if (!begins) press = {.awaits_second = true, .before = value, .time = ImGui::GetTime()};
+            if (!begins)
+                press = {.awaits_second = true,
+                         .before = value,
+                         .time = ImGui::GetTime(),
+                         .away = slider_mark(spec, value, box.Min.x, box.Max.x) - ImGui::GetIO().MousePos.x};
         }
     }
     const double before = value;

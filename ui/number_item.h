@@ -26,6 +26,11 @@ struct NumberItem {
 NumberItem number_item(const SliderSpec& spec, NumberHandling handling, const std::string& name,
                        double& value);
 
+// Where on the screen a slider from `low` to `high` has the mark of a value.
+float slider_mark(const SliderSpec& spec, double value, float low, float high);
+// How near to the ends that can be, pixels.
+float slider_margin();
+
 // Whether a slider was clicked and not dragged, so that a second click would make of both a double click,
 // which resets: they are one change.
 bool slider_awaits_second_click();

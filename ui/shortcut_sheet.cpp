@@ -15,6 +15,9 @@
 namespace nacre::ui {
 namespace {
 
+constexpr float width_ems = 81;
+constexpr float line_gap = 2;  // between two lines
+
 SheetGroup keyboard_group() {
     return {"Keyboard",
             {{"Down, Up", "To the next widget of this part of the window, or the one before."},
@@ -23,7 +26,7 @@ SheetGroup keyboard_group() {
              {"Enter or Space", "Clicks, or types into a number; brings a pointer to the canvas or preview."},
              {"Arrows, with a pointer", "Move it; with Shift by one pixel."},
              {"Enter, Space, with it", "Clicks; presses, and lets go the next time."},
-             {"Page Up, Page Down, with it", "Closer and farther."},
+             {"Page Up, Down, with it", "Closer and farther."},
              {"Left, Right", "A number less or more; with Shift a tenth of that."},
              {"Shift+F10 or Menu", "What a right click opens."}}};
 }
@@ -35,11 +38,11 @@ SheetGroup mouse_group() {
              {"Right drag there", "Turns the object."},
              {"Drag on the canvas", "Pulls a handle or paints with the tool."},
              {"Right drag there", "Turns the dome, or moves the disk."},
-             {"Wheel", "Closer and farther, canvas and preview."},
-             {"Shift+drag on the canvas", "With a brush: sizes it."},
+             {"Shift+drag there", "With a brush: sizes it."},
              {"Shift+click there", "A line from where the last stroke ended."},
              {"Ctrl or Alt+click", "With a brush: picks the value that is there."},
              {"Shift+drag, selecting", "Adds to what is selected; Ctrl or Alt takes away."},
+             {"Wheel", "Closer and farther, canvas and preview."},
              {"Double click", "On a number or its label: its usual value."},
              {"Ctrl+click", "On a number: type it."},
              {"Escape", "Closes what is on top, takes a drag back."},
@@ -81,6 +84,21 @@ void draw_group(const SheetGroup& shown) {
     ImGui::Spacing();
 }
 
+// The columns: the document and the window, the canvas, keyboard and mouse.
+void draw_groups(const std::vector<SheetGroup>& groups) {
+    if (!ImGui::BeginTable("groups", 3)) return;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, scaled(line_gap)));
+    ImGui::TableNextRow();
+    for (const SheetGroup& shown : groups) {
+        if (shown.title == "File" || shown.title == "Canvas" || shown.title == "Keyboard")
+            ImGui::TableNextColumn();
+        draw_group(shown);
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndTable();
+}
+
 }  // namespace
 
 std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
@@ -96,25 +114,15 @@ std::vector<SheetGroup> shortcut_groups(CommandInfos commands) {
         group(groups, "Tools")
             .lines.push_back(
                 {std::string(1, entry.face->key), std::string(entry.face->name) + ". " + entry.face->about});
+    add_commands(true);
     groups.push_back(keyboard_group());
     groups.push_back(mouse_group());
-    add_commands(true);
     return groups;
 }
 
 bool shortcut_sheet(CommandInfos commands, const char* opened_by) {
-    if (!begin_dialog("Shortcuts", 72)) return true;
-    // The columns: what concerns the document, the window and the canvas, the mouse.
-    if (ImGui::BeginTable("groups", 3)) {
-        ImGui::TableNextRow();
-        const std::vector<SheetGroup> groups = shortcut_groups(commands);
-        for (const SheetGroup& shown : groups) {
-            if (shown.title == "File" || shown.title == "View" || shown.title == "Mouse")
-                ImGui::TableNextColumn();
-            draw_group(shown);
-        }
-        ImGui::EndTable();
-    }
+    if (!begin_dialog("Shortcuts", width_ems)) return true;
+    draw_groups(shortcut_groups(commands));
     const float width = ImGui::GetFontSize() * 7;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     bool closed = button("Close", nullptr, true, width);

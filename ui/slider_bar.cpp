@@ -15,14 +15,6 @@
 namespace nacre::ui {
 namespace {
 
-// Where the value lies between the ends, 0 to 1.
-float fraction(const SliderSpec& spec, double value) {
-    const double clamped = std::clamp(value, spec.low, spec.high);
-    const double share = spec.logarithmic ? std::log(clamped / spec.low) / std::log(spec.high / spec.low)
-                                          : (clamped - spec.low) / (spec.high - spec.low);
-    return static_cast<float>(share);
-}
-
 // Where the number stands in a bar: at its right where there is room for that, since the bar's end so often
 // lies in the middle.
 struct NumberPlace {
@@ -60,11 +52,7 @@ void draw_bar(const SliderSpec& spec, double value, bool marked, const NumberIte
     const ImVec2 low = item.low, high = item.high;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_frame(item);
-    // As far from the ends as Dear ImGui keeps the middle of its grab.
-    const float margin = 2 + style.GrabMinSize * 0.5f;
-    const auto x_of = [&](double at) {
-        return low.x + margin + fraction(spec, at) * (high.x - low.x - 2 * margin);
-    };
+    const auto x_of = [&](double at) { return slider_mark(spec, at, low.x, high.x); };
     const float x = x_of(value);
     const float origin = spec.low < 0 ? x_of(0) : low.x;
     list.AddRectFilled({std::min(origin, x), low.y}, {std::max(origin, x), high.y},
@@ -76,7 +64,7 @@ void draw_bar(const SliderSpec& spec, double value, bool marked, const NumberIte
                                ImGui::GetColorU32(item.hovered ? palette::accent_bright : palette::accent),
                                half);
     };
-    const NumberPlace number = number_place(spec, value, item, margin);
+    const NumberPlace number = number_place(spec, value, item, slider_margin());
     draw_number(item, number.text, number.begin);
     // The mark leaves a gap for the number.
     const float inset = scaled(2), tick = style.FramePadding.y;

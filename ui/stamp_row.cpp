@@ -4,9 +4,9 @@
 #include <string>
 
 #include "ui/item_map.h"
-#include "ui/slider_bar.h"
 #include "ui/stamp_picture.h"
 #include "ui/theme.h"
+#include "ui/toolbar_fields.h"
 #include "ui/widgets.h"
 
 namespace nacre::ui {
@@ -84,26 +84,29 @@ void picture_button(CanvasState& state, float width) {
 
 }  // namespace
 
-void stamp_row(CanvasState& state, float width, float gap) {
-    picture_button(state, width);
-    stamp_palette(state);
-    stay_on_line(width, gap);
-    ImGui::SetNextItemWidth(width);
-    slider_field({.label = "Stamp angle",
-                  .low = -180,
-                  .high = 180,
-                  .least = -360,
-                  .most = 360,
-                  .reset = 0,
-                  .format = "Turn %.0f\u00b0",
-                  .logarithmic = false,
-                  .tooltip = "Turns the stamp, counterclockwise."},
-                 "Stamp angle", state.pose.angle, false);
-    stay_on_line(button_width("Flip"), gap);
-    ImGui::PushStyleColor(ImGuiCol_Button, state.pose.flip ? palette::accent_dim : palette::field);
-    if (button("Flip##Flip stamp", "Left and right of the stamp change places."))
-        state.pose.flip = !state.pose.flip;
-    ImGui::PopStyleColor();
+void add_stamp(ToolbarRow& row, CanvasState& state, float width) {
+    row.add(width, [&state, width] {
+        picture_button(state, width);
+        stamp_palette(state);
+    });
+    row.add(width, [&state, width] {
+        bar({.label = "Stamp angle",
+             .low = -180,
+             .high = 180,
+             .least = -360,
+             .most = 360,
+             .reset = 0,
+             .format = "Turn %.0f\u00b0",
+             .logarithmic = false,
+             .tooltip = "Turns the stamp, counterclockwise."},
+            width, state.pose.angle);
+    });
+    row.add(button_width("Flip"), [&state] {
+        ImGui::PushStyleColor(ImGuiCol_Button, state.pose.flip ? palette::accent_dim : palette::field);
+        if (button("Flip##Flip stamp", "Left and right of the stamp change places."))
+            state.pose.flip = !state.pose.flip;
+        ImGui::PopStyleColor();
+    });
 }
 
 }  // namespace nacre::ui

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "ui/hemisphere_canvas.h"
+#include "ui/toolbar_row.h"
 
 namespace nacre::ui {
 
-// Each of its fields is this wide; `gap` between them.
-void stamp_row(CanvasState& state, float width, float gap);
+// Picture and angle are this wide.
+void add_stamp(ToolbarRow& row, CanvasState& state, float width);
 
 }  // namespace nacre::ui

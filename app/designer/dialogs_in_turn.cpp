@@ -59,6 +59,7 @@ void draw_dialogs(Designer& designer) {
     tell(designer, designer.pictures.take_note());
     tell(designer, designer.stamps.take_note());
     if (auto stamp = designer.pictures.take_stamp()) take_in_hand(designer.canvas.state, *std::move(stamp));
+    if (const char* panel = designer.pictures.take_panel()) designer.open_tab = panel;
     if (auto picture = designer.pictures.take_environment()) designer.environment.want(picture->string());
 }
 

@@ -20,19 +20,24 @@ namespace fs = std::filesystem;
 struct UseText {
     const char* name;
     const char* about;
+    const char* panel;  // where its settings are afterwards
 };
 
 // In the order of the uses.
 constexpr std::array<UseText, import_uses> texts{
     {{"Stamp",
       "A highlight of the picture's shape, as a new layer. It is a stamp for the brush too. White paints; "
-      "on a white or transparent ground the dark does."},
-     {"Normals", "A layer with the facets of the surface whose normals the picture holds as colours."},
-     {"Heights", "A layer with the facets of the surface whose heights the picture holds as brightness."},
+      "on a white or transparent ground the dark does.",
+      "Layers"},
+     {"Normals", "A layer with the facets of the surface whose normals the picture holds as colours.",
+      "Layers"},
+     {"Heights", "A layer with the facets of the surface whose heights the picture holds as brightness.",
+      "Layers"},
      {"Modulation",
       "The chosen layer multiplied by the picture, as by a mask over its highlight. A picture that is not "
-      "square keeps its shape, with black beside it."},
-     {"Environment map", "The world around the object: a lat-long picture that lights it."}}};
+      "square keeps its shape, with black beside it.",
+      "Layers"},
+     {"Environment map", "The world around the object: a lat-long picture that lights it.", "Light"}}};
 
 bool adds_layer(ImportUse use) { return use != ImportUse::modulation && use != ImportUse::environment; }
 
@@ -149,6 +154,7 @@ void ImageImport::apply(const ImportSight& sight, Distribution& distribution, st
     if (sight.stamp)
         stamp_ = Stamp{named_stamp(file_->stem().string(), sight.stamp),
                        {.angle = sight.settings.rotation, .flip = sight.settings.flip}};
+    panel_ = texts[card_].panel;
     if (!made.notes.empty()) note_ = notes_line(*file_, made.notes);
 }
 
@@ -156,6 +162,7 @@ void ImageImport::accept() {
     chosen_[*file_] = usual_ = *settings_;
     if (use() == ImportUse::environment) {
         environment_ = *file_;
+        panel_ = texts[card_].panel;
         give_up();
         return;
     }

@@ -51,6 +51,9 @@ class ImageImport {
         return std::exchange(environment_, std::nullopt);
     }
 
+    // The panel that has the settings of what came of a picture, once; else null.
+    const char* take_panel() { return std::exchange(panel_, nullptr); }
+
     // What is to be said of the picture that was used, once.
     std::optional<std::string> take_note() { return std::exchange(note_, std::nullopt); }
 
@@ -89,6 +92,7 @@ class ImageImport {
     std::optional<Stamp> stamp_;
     std::optional<std::filesystem::path> environment_;
     std::optional<std::string> note_;
+    const char* panel_ = nullptr;
     PictureSource usual_;                                    // as it was last set
     std::map<std::filesystem::path, PictureSource> chosen_;  // for the session
     std::uint64_t asked_ = 0, first_ = 0;  // the newest request, and the first whose answer counts

@@ -9,12 +9,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double baked = 0.3;  // of the progress: to measure takes longer than to bake
+
 ExportWriter prepare(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
                      const std::function<void(double)>& progress) {
     BakeOptions options = settings.bake;
     options.albedo = true;
-    const auto tables = bake(design, options, stop, progress);
-    const TableErrors errors = measure_table_errors(*tables, Reference(design), stop);
+    const auto part = [&](double from, double to) {
+        return [&progress, from, to](double done) {
+            if (progress) progress(from + (to - from) * done);
+        };
+    };
+    const auto tables = bake(design, options, stop, part(0, baked));
+    const TableErrors errors = measure_table_errors(*tables, Reference(design), stop, {}, part(baked, 1));
     return ExportWriter([design, tables, errors](const fs::path& folder) {
         return write_table_files(folder, design, *tables, errors);
     });

@@ -26,6 +26,7 @@ double soft(double distance) { return std::clamp(0.5 - distance / (2 * edge), 0.
 double disc(dvec2 at, dvec2 middle, double radius) { return soft(glm::length(at - middle) - radius); }
 
 double arc(dvec2 at, double radius, double width, double low, double high) {
+    if (std::abs(glm::length(at) - radius) > width / 2 + edge) return 0;
     const double angle = std::atan2(at.y, at.x);
     const double inside = std::clamp(angle, low, high);
     const dvec2 nearest = radius * dvec2(std::cos(inside), std::sin(inside));
@@ -49,23 +50,28 @@ double heart(dvec2 at) {
 }
 
 double star(dvec2 at) {
-    const double fifth = 2 * std::numbers::pi / 5, r = glm::length(at);
-    const double turn = std::abs(std::remainder(std::atan2(at.x, at.y), fifth));
+    static const dvec2 half(std::cos(std::numbers::pi / 5), std::sin(std::numbers::pi / 5));
+    // Mirrored into the tenth between the upper tip and the notch at its right.
+    dvec2 p(std::abs(at.x), at.y);
+    for (const dvec2 mirror : {dvec2(half.x, -half.y), -half})
+        p -= 2 * std::max(glm::dot(mirror, p), 0.0) * mirror;
     // The line from a tip to the notch beside it.
-    const dvec2 tip(0.92, 0), notch(0.36 * std::cos(fifth / 2), 0.36 * std::sin(fifth / 2));
-    const dvec2 line = notch - tip, p = r * dvec2(std::cos(turn), std::sin(turn)) - tip;
+    const dvec2 tip(0.92, 0), notch = 0.36 * half, line = notch - tip;
+    p = dvec2(p.y, std::abs(p.x)) - tip;
     return soft((line.x * p.y - line.y * p.x) / -glm::length(line));
 }
 
 double grid(dvec2 at) {
-    const dvec2 cell(std::remainder(at.x, 0.4), std::remainder(at.y, 0.4));
-    return std::max(std::abs(at.x), std::abs(at.y)) < 0.98 ? disc(cell, {0, 0}, 0.11) : 0;
+    if (std::max(std::abs(at.x), std::abs(at.y)) >= 0.98) return 0;
+    constexpr double step = 0.4;
+    return disc(at - step * glm::round(at / step), {0, 0}, 0.11);
 }
 
 template <class Value>
 std::shared_ptr<const Raster> drawn(const Value& value) {
     auto raster = std::make_shared<Raster>();
     raster->width = raster->height = side;
+    raster->values.reserve(std::size_t{side} * side);
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
             raster->values.push_back(static_cast<float>(value(texel_point(side, row, column))));

@@ -52,7 +52,7 @@ std::vector<dvec3> probe_directions(int count) {
 }
 
 TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop,
-                                 const ProbeCounts& counts) {
+                                 const ProbeCounts& counts, const std::function<void(double)>& progress) {
     TableErrors result;
     std::vector<double> errors;
     for (const dvec3 k : probe_directions(counts.area))
@@ -64,12 +64,13 @@ TableErrors measure_table_errors(const Tables& tables, const Reference& referenc
     const std::vector<dvec3> probes = probe_directions(counts.albedo);
     errors.assign(probes.size(), 0);
     const CloseAlbedo albedo(reference, albedo_tolerance);
-    const int done = visit_within(albedo_seconds, counts.albedo, least_albedos, [&](int i) {
+    const auto probe = [&](int i) {
         if (stop.stop_requested()) throw BakeCancelled();
         const dvec3 k = probes[static_cast<std::size_t>(i)];
         errors[static_cast<std::size_t>(i)] =
             albedo_error(tables.shading, k, albedo(k, stop), tables.needs.fresnel_tables);
-    });
+    };
+    const int done = visit_within(albedo_seconds, counts.albedo, least_albedos, probe, progress);
     errors.resize(static_cast<std::size_t>(done));
     result.albedo = summarise(errors);
     return result;

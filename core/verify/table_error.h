@@ -1,6 +1,7 @@
 // Errors of the tables against the reference, on a fixed set of directions.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct ProbeCounts {
 };
 
 // Against the exact g and R; `reference` is that of the same design. Without baked R that is not measured.
-// Throws BakeCancelled when stopped.
+// Throws BakeCancelled when stopped. `progress` gets rising values in [0, 1] from the calling thread.
 TableErrors measure_table_errors(const Tables& tables, const Reference& reference, std::stop_token stop = {},
-                                 const ProbeCounts& probes = {});
+                                 const ProbeCounts& probes = {},
+                                 const std::function<void(double)>& progress = {});
 
 // The most that the bake's own claim allows on directions that are not the bake's: the tolerance or, where
 // the tables' size forbade that, 1.25 times the worst error that the bake measured itself.

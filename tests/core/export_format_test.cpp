@@ -3,7 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <stop_token>
 #include <type_traits>
+#include <vector>
+
+#include "core/design/design_file.h"
 
 using namespace nacre;
 
@@ -37,4 +42,18 @@ TEST_CASE("export: the next steps call the names that the file defines") {
 TEST_CASE("export: a folder that is named with a slash at its end has a name still") {
     CHECK(next_steps(NextSteps("Read {file}."), "", "/drawn/tables/") ==
           std::vector<std::string>{"Read tables."});
+}
+
+TEST_CASE("export: the progress rises and reaches its end when all is done") {
+    std::stop_source stop;
+    std::vector<double> values;
+    const auto note = [&](double done) {
+        values.push_back(done);
+        if (done >= 1) stop.request_stop();  // there is nothing left to stop
+    };
+    const Design design = load_design(NACRE_SOURCE_DIR "/presets/satin.nacre");
+    CHECK_NOTHROW(exr_format.prepare(design, {}, stop.get_token(), note));
+    CHECK(std::is_sorted(values.begin(), values.end()));
+    CHECK(values.back() <= 1);
+    CHECK(values.size() > 4);
 }

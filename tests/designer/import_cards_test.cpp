@@ -106,15 +106,17 @@ TEST_CASE("import: what is being made is given up too, and nothing of it comes")
 TEST_CASE("import: the likely card is chosen, and Enter takes it") {
     FolderRig r;
     write_ridge(r.folder / "ridge.exr", 64);
-    r.play(r.drop("ridge.exr") + "key Enter\nwait\nframes 3");
+    r.play("click \"Presets\"\n" + r.drop("ridge.exr") + "key Enter\nwait\nframes 3");
     REQUIRE(r.layers().size() == 2);
     REQUIRE(r.layers()[1].source);
     CHECK(r.layers()[1].source->as == SourceUse::normals);
+    CHECK(has(r, "Smoothing"));  // the panel with its settings has come to the front
     CHECK(r.layers()[1].source->image == r.folder / "ridge.exr");
     write_sky(r.folder / "sky.exr");
     r.play(r.drop("sky.exr") + "key Enter\nwait\nframes 3");
     CHECK(r.layers().size() == 2);
     CHECK(r.designer().scene.environment.picture);
+    CHECK(has(r, "Environment"));
 }
 
 TEST_CASE("import: arrows go from card to card, a double click takes one, Escape none") {

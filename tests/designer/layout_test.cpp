@@ -1,8 +1,9 @@
 // Borders between the parts of the window, and the scale of all of it.
 #include <doctest/doctest.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "rig.h"
+#include "ui/canvas_tools.h"
 
 namespace {
 
@@ -48,6 +49,31 @@ TEST_CASE("Layout: the panel's border moves the panel alone, within bounds") {
     rig.play("drag \"Panel border\" 1270 400\n");
     rig.stage.frame();
     CHECK(box(rig, "Canvas").x < 0.41f * 1280);
+}
+
+TEST_CASE("Layout: the canvas stays where it is, whatever the tool") {
+    for (const int width : {1280, 1600, 2560}) {
+        Rig rig({width, 800});
+        const ImVec4 before = box(rig, "Canvas");
+        for (const nacre::ui::ToolEntry& entry : nacre::ui::canvas_tools()) {
+            CAPTURE(width);
+            CAPTURE(entry.face->name);
+            rig.canvas().tool = entry.tool;
+            rig.play("frames 2");
+            const ImVec4 after = box(rig, "Canvas");
+            CHECK(after.y == before.y);
+            CHECK(after.w == before.w);
+        }
+    }
+}
+
+TEST_CASE("Layout: the sheet of shortcuts fits a small window") {
+    Rig rig({1280, 720});
+    rig.play("key F1\nframes 5");
+    const ImGuiWindow* sheet = ImGui::FindWindowByName("Shortcuts");
+    REQUIRE(sheet != nullptr);
+    CHECK(sheet->ScrollMax.x == 0);
+    CHECK(sheet->ScrollMax.y == 0);
 }
 
 TEST_CASE("Scale: another monitor's makes everything larger by as much, and back again") {

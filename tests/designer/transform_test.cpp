@@ -92,7 +92,9 @@ TEST_CASE("transform: a click outside applies, in the canvas, elsewhere, and by 
 
 TEST_CASE("transform: a change elsewhere is a step of its own") {
     TransformRig r;
-    r.play("drag \"Canvas\":@40,0 \"Canvas\":@40,180 6\nframes 30\nclick \"Intensity\":0.2\nframes 60");
+    r.play(
+        "drag \"Canvas\":@40,0 \"Canvas\":@40,180 6\nframes 30\n"
+        "drag \"Intensity\":0.5 \"Intensity\":0.2 3\nframes 60");
     CHECK(r.document().design.specular.intensity < 1);
     r.play("key Ctrl+Z\nframes 3");
     CHECK(r.document().design.specular.intensity == 1);

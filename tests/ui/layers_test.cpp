@@ -25,8 +25,12 @@ TEST_CASE("layers: a width slider is logarithmic and reports its change") {
     LayersRig r;
     r.rig.frame(5);
     CHECK(!r.changed);
-    r.rig.drag("Width x", {0.5f, 0.5f}, {0.5f, 0.5f});
-    CHECK(r.gaussian().sigma_x == doctest::Approx(0.1).epsilon(0.05));  // between 1e-3 and 10
+    const double before = r.gaussian().sigma_x;
+    r.rig.drag("Width x", {0.5f, 0.5f}, {0.35f, 0.5f});
+    const double once = r.gaussian().sigma_x;
+    CHECK(once < 0.5 * before);
+    r.rig.drag("Width x", {0.5f, 0.5f}, {0.35f, 0.5f});
+    CHECK(r.gaussian().sigma_x / once == doctest::Approx(once / before).epsilon(0.02));
     r.rig.drag("Width x", {0.5f, 0.5f}, {1.5f, 0.5f});
     CHECK(r.gaussian().sigma_x == 10);
     CHECK(r.gaussian().sigma_y == 0.2);

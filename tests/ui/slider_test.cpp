@@ -35,6 +35,30 @@ TEST_CASE("slider: a double click and the context menu bring the default, Ctrl+c
     CHECK(value == 0.2);
 }
 
+TEST_CASE("slider: a click moves nothing, a drag moves the mark as far as the pointer goes") {
+    double value = 3;
+    PanelRig rig([&] { ui::slider(width, value); });
+    for (const float at : {0.05f, 0.4f, 0.95f}) {
+        rig.click("Width", at);
+        CHECK(value == 3);
+    }
+    // From anywhere; to the right and all the way back.
+    for (const float at : {0.1f, 0.9f}) {
+        rig.frame(30);
+        rig.move("Width", at);
+        rig.button(true);
+        rig.move("Width", 0.5f);
+        const double there = value;
+        CHECK((there > 3) == (at < 0.5f));
+        rig.move("Width", at);
+        rig.button(false);
+        CHECK(value == doctest::Approx(3).epsilon(1e-3));
+    }
+    // Beyond the ends.
+    rig.drag("Width", {0.2f, 0.5f}, {4, 0.5f});
+    CHECK(value == width.high);
+}
+
 TEST_CASE("slider: one that can be infinite resets from there too, by its label") {
     double value = HUGE_VAL;
     PanelRig rig([&] {
