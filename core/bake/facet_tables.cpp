@@ -201,7 +201,8 @@ class Making {
             kept += part[0];
             left += part[1];
         }
-        return kept > 0 ? left / static_cast<double>(kept) : 1;
+        // Facets on edge keep light for so long that none of the walks may have left.
+        return kept > 0 ? std::max<double>(left, 0.5) / static_cast<double>(kept) : 1;
     }
 
     // On directions all round the circle.

@@ -71,6 +71,13 @@ void add_bounce_extremes(std::vector<ExtremeCase>& cases) {
             cases.back().albedo_claim = bouncing.albedo_claim;
         }
     }
+    for (const Bouncing& bouncing : designs) {
+        if (bouncing.design.diffuse != Design{}.diffuse) continue;
+        Design design = bouncing.design;
+        design.diffuse = FacetDiffuse{.kd = 1, .ks = 0, .albedo = glm::dvec3{1}};
+        cases.push_back({"matt facets", fmt::format("matt, {}", bouncing.name), design});
+        cases.back().albedo_claim = bouncing.albedo_claim;
+    }
 }
 
 }  // namespace nacre
