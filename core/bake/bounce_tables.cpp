@@ -8,6 +8,7 @@
 #include "core/bake/albedo.h"
 #include "core/bake/momentum_tables.h"
 #include "core/bake/table_integral.h"
+#include "core/base/stopwatch.h"
 
 namespace nacre {
 namespace {
@@ -40,6 +41,7 @@ class Adding {
         shading_.kinds.multibounce = is_fitted(model) ? even : kind;
         if (shading_.kinds.tint == Tint::varied) add_whole();
         const bool known = fit.has_value();
+        const Stopwatch time;
         if (!known) fit = make_fit(fitted);
         if (fit->momentum) {
             add_momentum(*fit->momentum);
@@ -52,6 +54,8 @@ class Adding {
         if (fit->momentum && !known)
             fit->misplaced = misplaced_energy(shading_, walk_bounces(shading_, *tables_.distribution,
                                                                      walks_fitted, seed_held_out, workers_));
+        if (!known) fit->seconds = time.seconds();
+        tables_.bake_seconds += fit->seconds;
         // What R and the bounces bring is claimed together.
         if (fit->momentum) tables_.errors.albedo.worst += fit->momentum->error;
         tables_.bounces = BounceFigures{fit->momentum.has_value(), fit->walks.walks, fit->misplaced,
@@ -63,7 +67,7 @@ class Adding {
         const int count = fitted                              ? walks_fitted
                           : tables_.quality == Quality::draft ? walks_draft
                                                               : walks_even;
-        BounceFit fit{walk_bounces(shading_, *tables_.distribution, count, seed, workers_), {}, {}};
+        BounceFit fit{walk_bounces(shading_, *tables_.distribution, count, seed, workers_), {}, {}, 0};
         if (fitted) fit.momentum = fit_momentum(shading_, grid_, fit.walks, workers_);
         fit.walks.pairs = {};
         return fit;

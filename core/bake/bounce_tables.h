@@ -14,6 +14,7 @@ struct BounceFit {
     BounceWalks walks;                       // without their pairs
     std::optional<MomentumTables> momentum;  // fitted to them
     std::optional<double> misplaced;         // measured on other walks
+    double seconds = 0;                      // that it took to make
 };
 
 // Appends to `tables`, which are finished but for these, all that the bounces of `model` need; rank_one

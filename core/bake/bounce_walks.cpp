@@ -47,7 +47,7 @@ class Walker {
         std::vector<dvec3> from;
         for (int i = 0; i < count; ++i) from.push_back(cosine_sample(random));
         FacetWalks walks(distribution_, facet_walk(static_cast<std::size_t>(shading_.kinds.masking)),
-                         shading_.surface.N, [this](dvec3 k) { return area(k); });
+                         shading_.surface.N, [this](dvec3 k) { return area_everywhere(shading_, mean_, k); });
         walks.enter(from, random);
         Part part;
         std::vector<Met> before(from.size()), last(from.size());
@@ -71,13 +71,6 @@ class Walker {
     }
 
   private:
-    // From the tables; below the horizon by g(k) - g(-k) = H.k.
-    double area(dvec3 k) const {
-        const dvec3 up = k.z < 0 ? -k : k;
-        const double g = shading_.projected_area(up, shading_.table_spot(up));
-        return k.z < 0 ? std::max(g - glm::dot(mean_, up), 0.0) : g;
-    }
-
     Met met(const FacetWalks::Walk& walk, dvec3 h) const {
         const double cosine = std::min(glm::dot(walk.view, h), 1.0);
         const dvec3 tint =
@@ -91,6 +84,12 @@ class Walker {
 };
 
 }  // namespace
+
+double area_everywhere(const Shading<double>& shading, dvec3 mean, dvec3 k) {
+    const dvec3 up = k.z < 0 ? -k : k;
+    const double g = shading.projected_area(up, shading.table_spot(up));
+    return k.z < 0 ? std::max(g - glm::dot(mean, up), 0.0) : g;
+}
 
 BounceWalks walk_bounces(const Shading<double>& shading, const FacetDistribution& distribution, int walks,
                          std::uint64_t seed, Workers& workers) {

@@ -24,6 +24,9 @@ struct BounceWalks {
     dvec3 tint{1}, schlick{0}, fresnel{1};
 };
 
+// g from the finished tables of `shading`, below the horizon too: g(k) - g(-k) = H.k, H the mean of p.
+double area_everywhere(const Shading<double>& shading, dvec3 mean, dvec3 k);
+
 // At most so many walks, fewer where light bounces for long. `shading` holds the design with its tables of g
 // and its layers; walks of another seed have nothing in common. The same for any number of threads. Throws
 // BakeCancelled.

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "core/bake/bounce_directions.h"
+#include "core/bake/bounce_walks.h"
+#include "core/base/stopwatch.h"
 #include "core/model/facet_walks.h"
 
 namespace nacre {
@@ -176,11 +178,7 @@ class Making {
     double second(int count) const {
         constexpr int at_once = 1024;
         const dvec3 mean = tables_.distribution->mean();
-        const auto area = [&](dvec3 k) {
-            const dvec3 up = k.z < 0 ? -k : k;
-            const double g = shading_.projected_area(up, shading_.table_spot(up));
-            return k.z < 0 ? std::max(g - glm::dot(mean, up), 0.0) : g;
-        };
+        const auto area = [&](dvec3 k) { return area_everywhere(shading_, mean, k); };
         std::vector<std::array<int, 2>> parts(static_cast<std::size_t>(count / at_once));
         workers_.for_each(count / at_once, [&](int i) {
             Random random(static_cast<std::uint64_t>(i) + 1);
@@ -248,8 +246,11 @@ void add_facet_tables(Tables& tables, const StretchedGrid& grid, std::optional<F
     if (known) {
         making.place(*known);
     } else {
+        const Stopwatch time;
         known = making();
+        known->seconds = time.seconds();
     }
+    tables.bake_seconds += known->seconds;
     Shader::Surface& surface = tables.shading.surface;
     surface.facet_even = known->even;
     const dvec3 albedo = surface.albedo;

@@ -14,8 +14,9 @@ struct FacetTables {
     FacetShape shape{};
     std::vector<float> values;  // of each term, then E
     double even = 0;            // 1/(pi <1 - E>)
-    double second = 0;  // of the light that the first bounce keeps, the part that leaves after the second
-    TableError error;   // of V
+    double second = 0;   // of the light that the first bounce keeps, the part that leaves after the second
+    TableError error;    // of facet_error()
+    double seconds = 0;  // that they took to make
 };
 
 // Appends to `tables`, which are finished but for these. `known`: of the same p, masking and quality, or

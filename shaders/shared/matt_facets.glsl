@@ -2,9 +2,9 @@
 //
 //   V = N Q/(G1 G2) under the uncorrelated masking,   Q(k1, k2) = integral of (k1.h)+ (k2.h)+ p(h) dh
 //
-// Where facets turn away G is all but 0, so that the tables hold N Q/(K1 K2), K^2 = G^2 + (S/8)^2, S = c g(n) + 2 q of
-// tables.glsl: at most 2 G where p stands upright. Q is positive semidefinite, so that this is a sum of products u(k1) u(k2) of
-// the same function: here of a few tables u over (w, psi). They fall into classes, each of as many terms. Where p has mirror planes u is even or odd about each; where p is
+// Where facets turn away G is all but 0: the tables hold N Q/(K1 K2), K^2 = G^2 + (S/8)^2, S = c g(n) + 2 q of tables.glsl. That
+// is positive semidefinite, so a sum of products u(k1) u(k2) of one function: here of a few tables u over (w, psi), in classes
+// of as many terms each. Where p has mirror planes u is even or odd about each; where p is
 // isotropic u goes with cos(m phi), and the product with cos(m (phi1 - phi2)).
 //
 // E is the albedo of that first bounce. Light that it keeps goes from facet to facet and leaves evenly:

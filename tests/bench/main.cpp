@@ -10,6 +10,7 @@ int main(int count, char** values) {
     add_evaluation(report);
     add_sampling(report);
     add_multibounce(report);
+    add_facets(report);
     add_area(report);
     add_lobe_area(report);
     add_albedo(report);

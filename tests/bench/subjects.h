@@ -11,6 +11,7 @@ void add_albedo(Report& report);       // R of one direction against Monte Carlo
 void add_bake(Report& report);         // all tables of a design, against the paper's way
 void add_evaluation(Report& report);   // the BRDF of one pair of directions against closed forms
 void add_sampling(Report& report);     // visible facets against spherical caps
+void add_facets(Report& report);       // what matt facets cost
 void add_multibounce(Report& report);  // what light that bounces between facets costs
 
 }  // namespace nacre::bench

@@ -266,6 +266,8 @@ TEST_CASE("a new colour keeps the tables, and a design without matt facets has n
     CHECK(after->data == before->data);
     CHECK(after->shading.surface.facet_scale.x < before->shading.surface.facet_scale.x);
     CHECK(after->errors.facets.worst == before->errors.facets.worst);
+    CHECK(before->bake_seconds > 0);
+    CHECK(after->bake_seconds == before->bake_seconds);
     design.diffuse = LambertianDiffuse{};
     const auto plain = baker.bake(design);
     CHECK(plain->data.size() < after->data.size());

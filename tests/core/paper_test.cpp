@@ -11,7 +11,7 @@
 #include "core/compare/facet_slopes.h"
 #include "core/model/polar_angles.h"
 #include "core/study/excess_energy.h"
-#include "core/study/matt_facets.h"
+#include "core/study/oren_nayar_fit.h"
 #include "core/study/paper_designs.h"
 #include "core/study/paper_grid.h"
 #include "core/study/paper_page.h"
@@ -40,8 +40,6 @@ double plain_albedo(WardForm which, const Shading<double>::ClosedForm& form, dve
         }
     return sum * 2 * pi / (rings * spokes);
 }
-
-MattFacets matt(Lobe lobe) { return MattFacets(FacetDistribution(design_of(std::move(lobe)).distribution)); }
 
 class NoRenderer final : public PaperRenderer {
   public:
@@ -110,25 +108,6 @@ TEST_CASE("Ward's BRDF is reciprocal in every form") {
     }
 }
 
-TEST_CASE("matt facets that all face n are Lambert's surface") {
-    const MattFacets flat = matt(GaussianLobe{1e-3, 1e-3});
-    for (const double theta : {0.0, 45.0, 80.0})
-        CHECK(flat.brdf(polar_direction(theta, 10), polar_direction(50, 200)) ==
-              doctest::Approx(1 / pi).epsilon(1e-3));
-}
-
-TEST_CASE("matt facets spread evenly over the hemisphere have a closed form") {
-    const MattFacets even = matt(UniformLobe{});
-    // Integral of (k1.h)+ (k2.h)+ p over k2 = n and over k2 = k1; N = 1/2, g = (1 + c)/4.
-    for (const double degrees : {0.0, 30.0, 60.0, 85.0}) {
-        const double t = degrees * pi / 180, c = std::cos(t), s = std::sin(t);
-        const dvec3 k = polar_direction(degrees, 70);
-        const double to_normal = (s + (pi - t) * c) / (3 * pi), back = (pi - t + s * c) / (3 * pi);
-        CHECK(even.brdf(k, {0, 0, 1}) == doctest::Approx(to_normal / (pi * (1 + c) / 4)).epsilon(2e-3));
-        CHECK(even.brdf(k, k) == doctest::Approx(back * 8 / (pi * (1 + c) * (1 + c))).epsilon(2e-3));
-    }
-}
-
 TEST_CASE("Oren and Nayar's sigma of a narrow Gaussian is its width over the root of 2") {
     const auto sigma_of = [](const Lobe& lobe) {
         return oren_nayar_sigma(FacetDistribution(design_of(lobe).distribution));
@@ -138,6 +117,21 @@ TEST_CASE("Oren and Nayar's sigma of a narrow Gaussian is its width over the roo
     CHECK(sigma_of(GaussianLobe{1, 1}) == doctest::Approx(23.9 * pi / 180).epsilon(5e-3));
     // Of the uniform hemisphere: <theta^2> = pi - 2.
     CHECK(sigma_of(UniformLobe{}) == doctest::Approx(std::sqrt(0.5 * (pi - 2))).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "the sigma by the rule is within a degree of the one that brings Oren and Nayar closest to eq. 33") {
+    Design design = design_of(GaussianLobe{1, 1});
+    design.diffuse = FacetDiffuse{.kd = 1, .ks = 0, .albedo = glm::dvec3{1}};
+    const auto tables = bake(design);
+    const Shading<double>& shading = tables->shading;
+    const double closest = closest_sigma([&](dvec3 k1, dvec3 k2) {
+        return shading.facet_visibility(shading.direction(k1), shading.direction(k2), shading.facet_spot(k1),
+                                        shading.facet_spot(k2)) /
+               pi;
+    });
+    CAPTURE(closest * 180 / pi);
+    CHECK(std::fabs(oren_nayar_sigma(*tables->distribution) - closest) <= pi / 180);
 }
 
 TEST_CASE("slanted velvet creates energy in the paper's 14 of 200 directions, and in none with P at most 1") {
