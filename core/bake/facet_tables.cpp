@@ -205,8 +205,8 @@ class Making {
 
     // On directions all round the circle.
     TableError measured(const Effort& effort) const {
-        std::vector<dvec3> k = stretched_directions(grid_, 3 * effort.measured);
-        k.erase(k.begin(), k.begin() + 2 * effort.measured);
+        const std::vector<dvec3> sequence = stretched_directions(grid_, 3 * effort.measured);
+        std::vector<dvec3> k(sequence.end() - effort.measured, sequence.end());
         const dvec2 axis = grid_.shape().axis;
         for (std::size_t i = 0; i < k.size(); ++i) {
             const dvec2 from{axis.x * k[i].x + axis.y * k[i].y, axis.x * k[i].y - axis.y * k[i].x};

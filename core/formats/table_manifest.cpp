@@ -201,6 +201,32 @@ Json pictures_json(const std::vector<TablePicture>& pictures) {
     return list;
 }
 
+Json constants_json(const Tables& tables) {
+    const auto& surface = tables.shading.surface;
+    const auto& shape = surface.tables;
+    Json json = {{"N", surface.N},
+                 {"g_normal", shape.g_normal},
+                 {"moment", json_numbers(shape.moment)},
+                 {"axis", json_numbers(shape.axis)},
+                 {"stretch", json_numbers(shape.stretch)},
+                 {"lean", shape.lean},
+                 {"mean_normal", json_numbers(tables.mean)},
+                 {"mean_albedo", tables.mean_albedo.x}};
+    if (tables.needs.tint == Tint::varied) json["mean_albedo"] = json_numbers(tables.mean_albedo);
+    if (tables.bounces) {
+        json["bounce_scale"] = json_numbers(surface.bounce_scale);
+        json["bounce_mean"] = json_numbers(surface.bounce_mean);
+        json["bounce_even"] = surface.bounce_even;
+    }
+    if (tables.shading.kinds.matt_facets()) {
+        json["facet_classes"] = shape.facet_classes;
+        json["facet_terms"] = shape.facet_terms;
+        json["facet_scale"] = json_numbers(surface.facet_scale);
+        json["facet_even"] = surface.facet_even;
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string layer_picture_file(int layer, const std::string& kind) {
@@ -209,31 +235,9 @@ std::string layer_picture_file(int layer, const std::string& kind) {
 
 std::string table_manifest(const Design& design, const Tables& tables,
                            const std::vector<TablePicture>& pictures, const TableErrors& errors) {
-    const auto& surface = tables.shading.surface;
-    const auto& shape = surface.tables;
     const Symmetry symmetry = tables.needs.symmetry.symmetry;
     Json json = {{"format", "nacre tables"}, {"version", 1}, {"name", design.name}, {"note", design.note}};
-    json["constants"] = {{"N", surface.N},
-                         {"g_normal", shape.g_normal},
-                         {"moment", json_numbers(shape.moment)},
-                         {"axis", json_numbers(shape.axis)},
-                         {"stretch", json_numbers(shape.stretch)},
-                         {"lean", shape.lean},
-                         {"mean_normal", json_numbers(tables.mean)},
-                         {"mean_albedo", tables.mean_albedo.x}};
-    if (tables.needs.tint == Tint::varied)
-        json["constants"]["mean_albedo"] = json_numbers(tables.mean_albedo);
-    if (tables.bounces) {
-        json["constants"]["bounce_scale"] = json_numbers(surface.bounce_scale);
-        json["constants"]["bounce_mean"] = json_numbers(surface.bounce_mean);
-        json["constants"]["bounce_even"] = surface.bounce_even;
-    }
-    if (tables.shading.kinds.matt_facets()) {
-        json["constants"]["facet_classes"] = shape.facet_classes;
-        json["constants"]["facet_terms"] = shape.facet_terms;
-        json["constants"]["facet_scale"] = json_numbers(surface.facet_scale);
-        json["constants"]["facet_even"] = surface.facet_even;
-    }
+    json["constants"] = constants_json(tables);
     json["material"] = material_json(design, tables);
     json["distribution"] = distribution_json(design, tables);
     json["symmetry"] = name_of(symmetry);
