@@ -1,5 +1,5 @@
 // reflect DESIGN K1X K1Y K1Z K2X K2Y K2Z: the BRDF of a pair of directions, then how much of the light from
-// k1 is reflected, found by sampling, beside R(k1) of the baked tables.
+// k1 is reflected, found by sampling, beside what the baked tables say.
 #include <cstdio>
 #include <cstdlib>
 
@@ -23,7 +23,7 @@ int main(int count, char** words) try {
     nacre::dvec3 reflected(0);
     for (int i = 0; i < samples; ++i)
         if (const auto sample = brdf.sample(k1, random)) reflected += sample->weight / double(samples);
-    const nacre::dvec3 albedo = brdf.albedo(k1);
+    const nacre::dvec3 albedo = brdf.total_albedo(k1);
     std::printf("%.4f %.4f %.4f\n%.4f %.4f %.4f\n", reflected.x, reflected.y, reflected.z, albedo.x, albedo.y,
                 albedo.z);
 } catch (const std::exception& error) {

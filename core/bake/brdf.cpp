@@ -92,4 +92,10 @@ dvec3 Brdf::albedo(dvec3 k) const {
     return shading.direction(k).R;
 }
 
+dvec3 Brdf::total_albedo(dvec3 k) const {
+    const Shading<double>& shading = tables_->shading;
+    if (!shading.kinds.albedo || k.z < 0) return dvec3{0};
+    return shading.total_albedo(shading.direction(k));
+}
+
 }  // namespace nacre

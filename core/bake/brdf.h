@@ -41,6 +41,9 @@ class Brdf {
     // not baked.
     dvec3 albedo(dvec3 k) const;
 
+    // The same of the whole BRDF: how much of the light from k comes back; 0 when R is not baked.
+    dvec3 total_albedo(dvec3 k) const;
+
     const Tables& tables() const { return *tables_; }
 
   private:

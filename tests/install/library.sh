@@ -34,7 +34,7 @@ close() {
     paste -d ' ' <(echo "$1") <(echo "$2") |
         awk 'NF != 6 { exit 1 } { for (i = 1; i <= 3; i++) if (($i - $(i + 3)) ^ 2 > 0.005 ^ 2) exit 1 }'
 }
-# agrees DESIGN: the BRDF to the last digit; and without a diffuse term the samples' albedo is the table's.
+# agrees DESIGN: the BRDF to the last digit; and the samples' albedo is the tables'.
 agrees() {
     local directions='0.48 0.36 0.8 -0.36 0.16 0.92' said
     said=$(echo "$directions" | "$prefix/bin/nacre-cli" eval "$1")
@@ -43,8 +43,7 @@ agrees() {
         # shellcheck disable=SC2086
         $program "$1" $directions >said || fail "$program $1 fails"
         [ "$(head -n 1 said)" = "$said" ] || fail "of $1 $program says $(head -n 1 said), nacre-cli eval $said"
-        close "$(sed -n 2p said)" "$(sed -n 3p said)" || grep -q '"metal"' "$1" ||
-            fail "the samples of $1 and its R differ: $(cat said)"
+        close "$(sed -n 2p said)" "$(sed -n 3p said)" || fail "the samples of $1 and its albedo differ: $(cat said)"
     done
 }
 agrees "$prefix/share/nacre/presets/ggx-steel.nacre"
