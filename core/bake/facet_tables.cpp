@@ -31,6 +31,9 @@ constexpr Effort draft{2, 256, 2048, 12, 8192}, final{3, 2048, 32768, 32, 65536}
 constexpr int rest_directions = 4096;
 constexpr double weight_at_normal = 1e3, ridge = 1e-9;
 
+// Where the directions begin by which tables are measured: past all that terms are made of.
+constexpr int held_out = 1024;
+
 // Where a sample lies between the nodes of a table: four of them, each with its weight.
 struct Corners {
     std::array<Eigen::Index, 4> node;
@@ -205,8 +208,7 @@ class Making {
 
     // On directions all round the circle.
     TableError measured(const Effort& effort) const {
-        const std::vector<dvec3> sequence = stretched_directions(grid_, 3 * effort.measured);
-        std::vector<dvec3> k(sequence.end() - effort.measured, sequence.end());
+        std::vector<dvec3> k = stretched_directions(grid_, held_out, effort.measured);
         const dvec2 axis = grid_.shape().axis;
         for (std::size_t i = 0; i < k.size(); ++i) {
             const dvec2 from{axis.x * k[i].x + axis.y * k[i].y, axis.x * k[i].y - axis.y * k[i].x};

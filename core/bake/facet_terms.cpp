@@ -180,10 +180,10 @@ dvec3 direction_at(const StretchedGrid& grid, double w, double part) {
 }
 
 // Roberts 2018, the R2 sequence.
-std::vector<dvec3> stretched_directions(const StretchedGrid& grid, int count) {
+std::vector<dvec3> stretched_directions(const StretchedGrid& grid, int first, int count) {
     constexpr double root = 1.32471795724474602596;  // x^3 = x + 1
     std::vector<dvec3> directions;
-    for (int i = 1; i <= count; ++i) {
+    for (int i = first; i < first + count; ++i) {
         const double u = std::fmod(0.5 + i / root, 1.0), v = std::fmod(0.5 + i / (root * root), 1.0);
         directions.push_back(direction_at(grid, 1 - std::pow(1 - u, 1.5), v));
     }
@@ -197,7 +197,7 @@ FacetTerms::FacetTerms(const FacetDistribution& p, const StretchedGrid& grid, co
       weights_(std::make_unique<Weights>()) {
     const bool draft = quality == Quality::draft;
     const std::vector<dvec3> directions = stretched_directions(
-        grid, (draft ? directions_draft : directions_final) * (shape_.classes == 1 ? 2 : 1));
+        grid, 1, (draft ? directions_draft : directions_final) * (shape_.classes == 1 ? 2 : 1));
     weights_->of_class.resize(static_cast<std::size_t>(shape_.classes));
     workers.for_each(shape_.classes, [&](int index) { add_class(index, directions); });
 }

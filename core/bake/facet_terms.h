@@ -67,7 +67,7 @@ class FacetTerms {
 // The direction at w in [0, 1] and at this part of the folded azimuth.
 dvec3 direction_at(const StretchedGrid& grid, double w, double part);
 
-// So many, evenly in that part and crowded toward grazing.
-std::vector<dvec3> stretched_directions(const StretchedGrid& grid, int count);
+// So many, evenly in that part and crowded toward grazing: of one endless sequence, from number `first` on.
+std::vector<dvec3> stretched_directions(const StretchedGrid& grid, int first, int count);
 
 }  // namespace nacre
