@@ -15,14 +15,14 @@ namespace {
 const std::vector<float> a = {1, 2, 3, 9, 0, 0, 0, 9, 1, 1, 1, 9, 7, 7, 7, 9};
 const std::vector<float> b = {1, 2, 5, 0, 0, 0, 0, 0, 2, 1, 1, 0, 0, 0, 0, 0};
 
-bool counts(std::size_t pixel) { return pixel < 3; }
+bool but_the_last(std::size_t pixel) { return pixel < 3; }
 
 }  // namespace
 
 TEST_SUITE_BEGIN("picture difference");
 
 TEST_CASE("numbers: over the colours of the pixels that count") {
-    const DifferenceNumbers apart = measure_difference(a, b, 4, counts);
+    const DifferenceNumbers apart = measure_difference(a, b, 4, but_the_last);
     CHECK(apart.pixels == 3);
     CHECK(apart.largest == 2);
     // Squares 4 and 1 over nine colours; half of 17 and 36 together is what both hold.
