@@ -4,12 +4,13 @@
 #   SET_members.inl the kinds' GLSL for core/model/shading_members.inl, and EACH_CASE: a CASE_CASE(index, function...) each
 #
 # Of each set: what its cases are called, then the suffixes of the functions that NAME.glsl defines.
-set(NACRE_KIND_SETS lobes fresnel masking diffuse multibounce)
+set(NACRE_KIND_SETS lobes fresnel masking diffuse multibounce coat)
 set(NACRE_CASES_lobes LOBE _lobe)
 set(NACRE_CASES_fresnel FRESNEL _fresnel)
 set(NACRE_CASES_masking MASKING _masking)
 set(NACRE_CASES_diffuse DIFFUSE _share _diffuse _diffuse_albedo)
 set(NACRE_CASES_multibounce MULTIBOUNCE _amplitude _row _spread _kernel)
+set(NACRE_CASES_coat COAT _density _area)
 
 # nacre_kind(SET NAME STRUCT): a line of core/model/kinds.cmake.
 macro(nacre_kind set name struct)

@@ -5,8 +5,8 @@ c, material, symmetry, f0 = m["constants"], m["material"], m["symmetry"], np.arr
 table = {t["quantity"]: oiio.ImageBuf(folder + t["file"]).get_pixels(oiio.FLOAT) for t in m["tables"]}
 lobes = {"gaussian": lambda x, y, z: np.exp(-(x * x + y * y) / z**2), "ggx": lambda x, y, z: (x * x + y * y + z * z) ** -2,
          "beckmann": lambda x, y, z: np.exp(-(x * x + y * y) / z**2) / z**4, "hemisphere": lambda x, y, z: 1}
-if material["fresnel"] != "schlick" or material["shadowing"] == "correlated" or material["diffuse"] == "lambertian" or {"retro", "multibounce"} & material.keys():
-    sys.exit("read_tables.py: knows Schlick's Fresnel, masking without azimuth, the diffuse models none, coupled and metal, no bounces and no retro-reflection")
+if material["fresnel"] != "schlick" or material["shadowing"] == "correlated" or material["diffuse"] == "lambertian" or {"retro", "multibounce", "coat"} & material.keys():
+    sys.exit("read_tables.py: knows Schlick's Fresnel, masking without azimuth, the diffuse models none, coupled and metal, no bounces, no retro-reflection and no coat")
 def turns(a, b):  # azimuth of (a, b) in quarter turns
     t = (abs(b) - abs(a)) / (abs(a) + abs(b) or 1) - (not a and not b)
     u = 1 - np.copysign(0.5 - t * (6 - t * t) / 10, a)

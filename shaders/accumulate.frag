@@ -22,20 +22,58 @@ float mirrored_density(vec3 k2, float g, vec3 k1) {
 }
 
 #endif
-// rho L (k1.n) over the sum of both densities, in which either way may draw k1: visible facets or light. That is each
-// way's own quotient times its weight by the balance heuristic.
-vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
+// How densely the facets that the viewer sees send it into k1, 1/sr.
+float facet_density_of(Direction viewer, vec3 k1) {
+#if HAS_COAT
+    float leaving = k1.z;
+    k1 = refracted(k1);
+    leaving /= surface.coat_ior * surface.coat_ior * k1.z;
+#endif
     vec3 sum = k1 + viewer.k;
-    vec2 place = lat_long_place(toward);
-    vec3 light = environment_radiance(place);
-    float by_light = irradiance > 0.0 ? dot(light, vec3(light_scale)) * k1.z / irradiance : 0.0;
     float by_facets = viewer.g > 0.0 ? density(sum / length(sum)) / (4.0 * viewer.g) : 0.0;
 #if HAS_RETRO
     by_facets = mix(by_facets, 0.5 * (mirrored_density(turned(viewer.k), viewer.turned_g, k1) +
                                       mirrored_density(viewer.k, viewer.g, turned(k1))), surface.retro);
 #endif
-    float both = by_light + by_facets;
+#if HAS_COAT
+    by_facets *= leaving;
+#endif
+    return by_facets;
+}
+
+#if HAS_COAT
+// The coat's own facets are drawn as Beckmann's of their width: slopes by a bell.
+vec3 coat_facet(vec2 at) {
+    float slope = surface.coat_width * sqrt(-log(max(1.0 - at.x, 1e-7)));
+    float phi = 2.0 * TABLE_PI * at.y;
+    return normalize(vec3(slope * cos(phi), slope * sin(phi), 1.0));
+}
+
+// How densely they send the viewer into k1, 1/sr.
+float coat_density_of(Direction viewer, vec3 k1) {
+    vec3 sum = k1 + viewer.outside;
+    vec3 h = sum / length(sum);
+    float c2 = h.z * h.z;
+    float square = surface.coat_width * surface.coat_width;
+    float drawn = exp((1.0 - 1.0 / c2) / square) / (TABLE_PI * square * c2 * h.z);
+    return drawn / (4.0 * max(dot(viewer.outside, h), 1e-6));
+}
+
+#endif
+// rho L (k1.n) over the sum of the densities, in which each way may draw k1: visible facets, light, and a coat's own
+// facets. That is each way's own quotient times its weight by the balance heuristic.
+vec3 reflected(Direction viewer, vec3 k1, vec3 toward, float irradiance) {
+    vec2 place = lat_long_place(toward);
+    vec3 light = environment_radiance(place);
+    float by_light = irradiance > 0.0 ? dot(light, vec3(light_scale)) * k1.z / irradiance : 0.0;
+    float both = by_light + facet_density_of(viewer, k1);
+#if HAS_COAT
+    both += coat_density_of(viewer, k1);
+#endif
     if (!(both > 0.0)) return vec3(0.0);
+#if HAS_COAT
+    return shown_through_coat(direction(k1), viewer) * light * (k1.z / both);
+#endif
     return shown_brdf(direction(k1), viewer) * light * (k1.z / both);
 }
 
@@ -58,6 +96,10 @@ vec3 by_facet(Direction viewer, mat3 to_environment, float irradiance, float at)
     if (after) k1 = turned(k1);
 #endif
     if (facet.weight <= 0.0 || kh <= 0.0 || k1.z <= 0.0) return vec3(0.0);
+#if HAS_COAT
+    k1 = emerging(k1);
+    if (k1.z <= 0.0) return vec3(0.0);
+#endif
     return reflected(viewer, k1, to_environment * k1, irradiance) * (facet.weight * kh / seen.g);
 }
 
@@ -68,6 +110,15 @@ vec3 by_light(Direction viewer, mat3 to_environment, float irradiance, float at)
     return reflected(viewer, k1, light.direction, irradiance) * (light.weight * k1.z / irradiance);
 }
 
+#if HAS_COAT
+vec3 by_coat(Direction viewer, mat3 to_environment, float irradiance, vec2 at) {
+    vec3 h = coat_facet(at);
+    vec3 k1 = 2.0 * dot(viewer.outside, h) * h - viewer.outside;
+    if (dot(viewer.outside, h) <= 0.0 || k1.z <= 0.0) return vec3(0.0);
+    return reflected(viewer, k1, to_environment * k1, irradiance);
+}
+
+#endif
 // Base 2: sample number i of van der Corput's sequence (1935).
 float radical_inverse(uint i) {
     i = (i << 16) | (i >> 16);
@@ -103,6 +154,10 @@ void main() {
         float at = fract(start + radical_inverse(uint(i)));
         sum += by_facet(viewer, to_environment, irradiance, at);
         sum += by_light(viewer, to_environment, irradiance, fract(at + 0.5));
+#if HAS_COAT
+        // Roberts 2018: a second sequence beside the first.
+        sum += by_coat(viewer, to_environment, irradiance, vec2(at, fract(start + 0.6180339887 * float(i))));
+#endif
     }
     accumulated.rgb = environment_brightness * sum * seen.w;
 }

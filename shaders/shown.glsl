@@ -78,6 +78,9 @@ vec3 shown_brdf(Direction a, Direction b) {
 #if SHOWS_RETRO
     return shown_retro(a, b);
 #endif
+#if SHOWS_COAT
+    return vec3(0.0);
+#endif
 #if SHOWS_SPECULAR
     return shown_specular(a, b);
 #elif SHOWS_DIFFUSE
@@ -102,6 +105,9 @@ vec3 shown_albedo(Direction a) {
 #if SHOWS_RETRO
     return shown_retro_albedo(a);
 #endif
+#if SHOWS_COAT
+    return vec3(0.0);
+#endif
 #if CLOSED_FORM
     bool alone = closed_form.model == MODEL_OREN_NAYAR;
     vec3 model = closed_form_albedo(closed_form, a.k);
@@ -122,6 +128,36 @@ vec3 shown_albedo(Direction a) {
     return first + rest;
 #endif
 }
+#endif
+
+#if HAS_COAT
+// The same through the coat, and what that adds: a model in the design's place lies beneath it too.
+vec3 shown_through_coat(Direction a, Direction b) {
+    vec3 rho = coat_passage(a, b) * shown_brdf(a, b);
+#if SHOWS_ALL
+    rho += coat_reflection(a, b);
+#endif
+#if SHOWS_COAT
+    rho = coat_reflection(a, b);
+#endif
+    return rho;
+}
+
+#if HAS_ALBEDO
+// Each term has its part, by its own albedo, of the light that leaves at once; the rest is the coat's.
+vec3 shown_coated_albedo(Direction a) {
+    vec3 own = vec3(a.coat_R) + a.passed * a.inner;
+#if SHOWS_COAT
+    return own;
+#endif
+    vec3 part = shown_albedo(a) / max(total_albedo(a), vec3(1e-9));
+    vec3 sum = a.passed * (a.whole - a.inner) * part;
+#if SHOWS_ALL
+    sum += own;
+#endif
+    return sum;
+}
+#endif
 #endif
 
 #if SHOWS_FACTOR

@@ -25,6 +25,9 @@ out vec4 radiance;
 vec3 lit(Direction viewer, mat3 frame, vec3 toward, vec3 irradiance) {
     vec3 k1 = toward * frame;
     if (k1.z <= 0.0 || viewer.k.z <= 0.0) return vec3(0.0);
+#if HAS_COAT
+    return shown_through_coat(direction(k1), viewer) * irradiance * k1.z;
+#endif
     return shown_brdf(direction(k1), viewer) * irradiance * k1.z;
 }
 
@@ -53,6 +56,9 @@ vec3 shade(mat3 frame) {
     sum += lit(viewer, frame, light_direction[2], light_irradiance[2]);
 #endif
 #if AMBIENT_LIGHT
+#if HAS_COAT
+    return sum + shown_coated_albedo(viewer) * ambient_radiance;
+#endif
     sum += shown_albedo(viewer) * ambient_radiance;
 #endif
     return sum;

@@ -11,5 +11,6 @@ bool diffuse_panel(Diffuse& diffuse);
 bool multibounce_panel(Multibounce& multibounce);
 bool shadowing_panel(Shadowing& shadowing, double& mean_cosine_scale);
 bool retro_panel(Retro& retro);
+bool coat_panel(Coat& coat);
 
 }  // namespace nacre::ui

@@ -14,6 +14,7 @@
 #include "core/bake/brdf.h"
 #include "core/design/design_file.h"
 #include "core/verify/bounce_oracle.h"
+#include "core/verify/coat_oracle.h"
 #include "core/verify/facet_oracle.h"
 #include "core/verify/reference.h"
 
@@ -62,6 +63,7 @@ class ExactTerm {
     ExactTerm(const Reference& reference, const Design& design, Term term, int walks)
         : reference_(reference), term_(term), walks_(walks) {
         const bool whole = term == Term::total;
+        if (is_coated(design.coat)) coat_.emplace(design);
         if (has_bounces(design.multibounce) && (whole || term == Term::multibounce))
             bounces_.emplace(reference);
         if (has_matt_facets(design.diffuse) && (whole || term == Term::diffuse)) facets_.emplace(reference);
@@ -69,18 +71,29 @@ class ExactTerm {
 
     // Both above the horizon. The standard error is that of the walks.
     WalkEstimate operator()(dvec3 k1, dvec3 k2, const std::stop_token& stop) const {
+        if (!coat_) return beneath(k1, k2, stop);
+        if (is_factor(term_)) return beneath(coat_->inside(k1), coat_->inside(k2), stop);
         WalkEstimate sum;
-        if (term_ != Term::multibounce)
-            sum.mean = brdf_term(reference_.shading(), reference_.direction(k1, stop),
-                                 reference_.direction(k2, stop), term_);
-        if (bounces_)
-            add(bounces_->rho(k1, k2, {.walks = walks_}, stop), reference_.shading().surface.ks, sum);
-        if (facets_) add(facets_->rho(k1, k2, {.walks = walks_, .first = 1}, stop), 1, sum);
+        if (term_ != Term::coat)
+            add(beneath(coat_->inside(k1), coat_->inside(k2), stop), coat_->passage(k1, k2), sum);
+        if (term_ == Term::coat || term_ == Term::total) sum.mean += coat_->reflection(k1, k2);
         return sum;
     }
 
   private:
-    static void add(const WalkEstimate& walked, double weight, WalkEstimate& sum) {
+    // In the medium that the facets lie in.
+    WalkEstimate beneath(dvec3 k1, dvec3 k2, const std::stop_token& stop) const {
+        WalkEstimate sum;
+        if (term_ != Term::multibounce)
+            sum.mean = brdf_term(reference_.shading(), reference_.direction(k1, stop),
+                                 reference_.direction(k2, stop), term_);
+        const dvec3 ks{reference_.shading().surface.ks};
+        if (bounces_) add(bounces_->rho(k1, k2, {.walks = walks_}, stop), ks, sum);
+        if (facets_) add(facets_->rho(k1, k2, {.walks = walks_, .first = 1}, stop), dvec3{1}, sum);
+        return sum;
+    }
+
+    static void add(const WalkEstimate& walked, dvec3 weight, WalkEstimate& sum) {
         sum.mean += weight * walked.mean;
         sum.error += weight * walked.error;
     }
@@ -90,6 +103,7 @@ class ExactTerm {
     int walks_;
     std::optional<BounceOracle> bounces_;
     std::optional<FacetOracle> facets_;
+    std::optional<CoatOracle> coat_;
 };
 
 void answer_exactly(const Design& design, const EvalOptions& options, Term term, const Interrupt& interrupt) {

@@ -62,6 +62,7 @@ std::vector<std::string> shader_parts(const Tables& tables) {
     if (variant.modulation) parts.emplace_back("modulation by a picture");
     if (kinds.tint == Tint::shared) parts.emplace_back("one tint of all layers");
     if (kinds.tint == Tint::varied) parts.emplace_back("a tint of each layer");
+    if (kinds.coated()) parts.push_back(fmt::format("coat {}", kind_name_of<Coat>(kinds.coat)));
     if (kinds.retro)
         parts.push_back(fmt::format("retro-reflection, weight {:g}", tables.shading.surface.retro));
     parts.push_back(fmt::format("shadowing {}{}", kind_name_of<MaskingModel>(kinds.masking),

@@ -116,6 +116,7 @@ void add_settings(const Designer& designer, std::vector<Finding>& list) {
     add_parameters(design.diffuse, "Material", false, list);
     add_parameters(design.multibounce, "Material", false, list);
     add_parameters(design.shadowing.model, "Material", false, list);
+    add_parameters(design.coat, "Material", false, list);
 }
 
 }  // namespace

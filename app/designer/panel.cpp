@@ -53,6 +53,8 @@ void draw_material(Design& design) {
     ImGui::Spacing();
     ui::retro_panel(design.retro);
     ImGui::Spacing();
+    ui::coat_panel(design.coat);
+    ImGui::Spacing();
     ui::heading("Note");
     ui::note_field(design.note);
 }

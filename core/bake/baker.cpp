@@ -53,7 +53,8 @@ bool same_tints(const Distribution& a, const Distribution& b) {
 bool same_albedo(const Design& a, const Design& b) {
     const bool linear = fresnel_tables(a.fresnel) == FresnelTables::linear &&
                         fresnel_tables(b.fresnel) == FresnelTables::linear;
-    return a.shadowing == b.shadowing && (linear || a.fresnel == b.fresnel) &&
+    const bool same_fresnel = a.fresnel == b.fresnel && index_above(a.coat) == index_above(b.coat);
+    return a.shadowing == b.shadowing && (linear || same_fresnel) &&
            same_tints(a.distribution, b.distribution);
 }
 
@@ -173,6 +174,7 @@ void Baker::choose_tables(Kept& made, const std::optional<Kept>& before, const F
         fits_bounces(made.design, made.options) == before->bounces->momentum.has_value())
         made.bounces = before->bounces;
     if (keep_area && before->design.shadowing == made.design.shadowing) made.facets = before->facets;
+    if (before) made.coat = before->coat;
     area_origin_ = albedo_origin_ = TableOrigin::reused;
     made.distribution = keep_area ? before->distribution : now.distribution;
     if (keep_area) {
@@ -268,6 +270,8 @@ void Baker::assemble(Kept& made, Tables& tables, Workers& workers) {
     if (has_matt_facets(made.design.diffuse))
         add_facet_tables(tables, made.area.table->grid(), made.facets, workers);
     if (made.albedo.data) integrate(made, tables, workers);
+    if (is_coated(made.design.coat))
+        add_coat_tables(tables, made.area.table->grid(), made.design.coat, made.coat, workers);
 }
 
 }  // namespace nacre

@@ -8,6 +8,7 @@
 #include "core/bake/albedo_table.h"
 #include "core/bake/bake.h"
 #include "core/bake/bounce_tables.h"
+#include "core/bake/coat_tables.h"
 #include "core/bake/facet_tables.h"
 
 namespace nacre {
@@ -57,6 +58,7 @@ class Baker {
         KeptAlbedo albedo = {};
         std::optional<BounceFit> bounces = {};
         std::optional<FacetTables> facets = {};
+        std::optional<CoatLobe> coat = {};
     };
 
     // The new p against the one before.

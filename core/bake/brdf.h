@@ -25,9 +25,10 @@ class Brdf {
 
     // Visible normals, p(h)/(4 g(k1)) of k2 (Heitz & d'Eon 2014, for any p), turned half about n before or
     // after as often as the design is retro-reflective, and mixed with a cosine about n: half and half where
-    // it has a diffuse term, three to one where light bounces between the facets. Nothing is returned for a
-    // sample below the horizon, which a renderer counts as black. The first call for a p takes some
-    // milliseconds: see FacetDistribution::visible_facets().
+    // it has a diffuse term, three to one where light bounces between the facets or beneath a coat. Under a
+    // coat they are those beneath it, and mixed with the coat's own as much as that mirrors. Nothing is
+    // returned for a sample below the horizon, which a renderer counts as black. The first call for a p takes
+    // some milliseconds: see FacetDistribution::visible_facets().
     std::optional<BrdfSample> sample(dvec3 k1, Random& random) const;
 
     // k2 of a sample alone; k2.z <= 0 where there is none.
@@ -37,8 +38,8 @@ class Brdf {
     // How often sample() draws the cosine.
     double cosine_probability() const;
 
-    // R(k), the directional albedo of the specular term (Ashikhmin 2000, eq. 29) of intensity 1; 0 when R is
-    // not baked.
+    // R(k), the directional albedo of the specular term (Ashikhmin 2000, eq. 29) of intensity 1, under a coat
+    // that beneath it; 0 when R is not baked.
     dvec3 albedo(dvec3 k) const;
 
     // The same of the whole BRDF: how much of the light from k comes back; 0 when R is not baked.
@@ -47,6 +48,11 @@ class Brdf {
     const Tables& tables() const { return *tables_; }
 
   private:
+    friend class BrdfSampler;
+
+    dvec3 draw_facet(dvec3 k1, Random& random) const;
+    dvec3 draw_coated(const Shading<double>::Direction& from, Random& random) const;
+
     std::shared_ptr<const Tables> tables_;
 };
 
@@ -59,6 +65,7 @@ class BrdfSampler {
 
   private:
     const Brdf& brdf_;
+    dvec3 k1_;
     Shading<double>::Direction from_;
 };
 

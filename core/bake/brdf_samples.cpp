@@ -31,7 +31,7 @@ HWY_FLATTEN HWY_ATTR void weigh(const Shading<double>& material, const Direction
         const Lanes::real3 b = load_directions(k2.x + i, k2.y + i, k2.z + i, rest);
         Lanes::real3 value;
         Lanes::real drawn;
-        shading.brdf_and_density(shading.direction(a), shading.direction(b), value, drawn);
+        shading.brdf_and_density(direction_of(shading, a), direction_of(shading, b), value, drawn);
         store(value.x, rho[0] + i, rest);
         store(value.y, rho[1] + i, rest);
         store(value.z, rho[2] + i, rest);
@@ -55,6 +55,10 @@ using Column = std::array<double, at_once>;
 
 // k2 of samples, not above the horizon where there is none.
 void draw_some(const Brdf& brdf, std::span<const dvec3> k1, Random& random, std::span<BrdfSample> samples) {
+    if (brdf.tables().shading.kinds.coated()) {
+        for (std::size_t i = 0; i < k1.size(); ++i) samples[i].k2 = brdf.draw(k1[i], random);
+        return;
+    }
     const double diffuse = brdf.cosine_probability();
     std::array<dvec3, at_once> from, facets;
     std::array<std::size_t, at_once> index;

@@ -31,7 +31,8 @@ Needs needs_of(const Design& design, const MoreNeeds& more) {
     Needs needs;
     needs.symmetry = find_symmetry(design.distribution);
     if (more.symmetry) needs.symmetry.symmetry = std::max(needs.symmetry.symmetry, *more.symmetry);
-    needs.albedo = more.albedo || reads_albedo(design.diffuse) || has_bounces(design.multibounce);
+    needs.albedo = more.albedo || reads_albedo(design.diffuse) || has_bounces(design.multibounce) ||
+                   is_coated(design.coat);
     needs.tint = tint_of(design.distribution);
     if (needs.albedo) needs.fresnel_tables = count_fresnel_tables(design.fresnel);
     return needs;

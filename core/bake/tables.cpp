@@ -12,7 +12,9 @@ std::size_t Tables::table_floats() const {
     const auto& shape = shading.surface.tables;
     const auto facets = static_cast<std::size_t>(shape.facet_nodes * shape.facet_rows *
                                                  (shape.facet_classes * shape.facet_terms + 1));
-    return area + albedos * albedo + facets + (bounces ? bounces->floats : 0);
+    const auto coat =
+        static_cast<std::size_t>(shape.coat_albedo_nodes + 6 * shape.coat_nodes * shape.coat_rows);
+    return area + albedos * albedo + facets + coat + (bounces ? bounces->floats : 0);
 }
 
 double area_error(const Shading<double>& shading, dvec3 k, double exact) {

@@ -59,6 +59,7 @@ struct Tables {
     Quality quality = Quality::final;
     TableSize size;  // chosen by the bake, or requested
     std::shared_ptr<const FacetDistribution> distribution;
+    std::shared_ptr<const FacetDistribution> coat_facets;  // of a coat's own highlight; null without one
     std::vector<float> data;
     Shading<double> shading;
 

@@ -115,8 +115,10 @@ ClosedForm matching_form(const Tables& tables, ClosedFormModel model) {
 
 dvec3 closed_form_brdf(const Shading<double>& shading, const Form& form, dvec3 k1, dvec3 k2) {
     if (k1.z <= 0 || k2.z <= 0) return dvec3{0};
-    return shading.closed_form_specular(form, k1, k2) +
-           shading.closed_form_diffuse(form, shading.direction(k1), shading.direction(k2));
+    const auto a = shading.direction(k1), b = shading.direction(k2);
+    const dvec3 rho = shading.closed_form_specular(form, a.k, b.k) + shading.closed_form_diffuse(form, a, b);
+    if (!shading.kinds.coated()) return rho;
+    return shading.coat_reflection(a, b) + shading.coat_passage(a, b) * rho;
 }
 
 }  // namespace nacre

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/model/coat_models.h"
 #include "core/model/diffuse_models.h"
 #include "core/model/fresnel_models.h"
 #include "core/model/layer.h"
@@ -34,6 +35,7 @@ struct Design {
     Multibounce multibounce = NoMultibounce{};
     Specular specular;
     Retro retro;
+    Coat coat = NoCoat{};
 
     bool operator==(const Design&) const = default;
 };

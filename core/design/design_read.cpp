@@ -96,6 +96,7 @@ Design parse_work(std::string_view json_text, const std::string& file_name_for_e
         design.multibounce = read_model<Multibounce>(reader.at("multibounce"), "multibounce");
     if (reader.has("specular")) design.specular = read_specular(reader.at("specular"));
     if (reader.has("retro")) design.retro = read_retro(reader.at("retro"));
+    if (reader.has("coat")) design.coat = read_model<Coat>(reader.at("coat"), "coat");
     reader.finish("a design");
     if (has_distribution)
         design.distribution = read_distribution(reader.at("distribution"), absolute_folder(base_dir));

@@ -228,6 +228,7 @@ std::string design_text(const Design& design, const Target& target) {
         text += fmt::format(",\n  \"specular\": {{\"intensity\": {}}}", number(design.specular.intensity));
     if (design.retro != Retro{})
         text += fmt::format(",\n  \"retro\": {{{}}}", fields_text(design.retro).substr(2));
+    if (is_coated(design.coat)) text += fmt::format(",\n  \"coat\": {{{}}}", model_text(design.coat));
     return text + "\n}\n";
 }
 
@@ -239,8 +240,11 @@ int version_of(const Design& design) {
         return is_tinted(layer) || layer.source.has_value();
     });
     const bool extended = design.specular != Specular{} || design.retro != Retro{};
-    return std::max(
-        {newer || extended ? 2 : 1, file_version(design.fresnel), file_version(design.multibounce)});
+    int version = newer || extended ? 2 : 1;
+    for (const Layer& layer : layers) version = std::max(version, file_version(layer.lobe));
+    return std::max({version, file_version(design.shadowing.model), file_version(design.fresnel),
+                     file_version(design.diffuse), file_version(design.multibounce),
+                     file_version(design.coat)});
 }
 
 std::string design_json(const Design& design, const fs::path& base_dir) {

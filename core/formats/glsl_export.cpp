@@ -43,6 +43,7 @@ bool has_field(const ShadingKinds& kinds, std::string_view field) {
     if (field == "tint") return kinds.tint != Tint::none;
     if (field == "retro") return kinds.retro;
     if (field.starts_with("facet_")) return kinds.matt_facets();
+    if (field.starts_with("coat_")) return kinds.coated();
     constexpr std::string_view offsets[] = {"row_offset",       "factor_offset",    "spread_offset",
                                             "whole_offset",     "amplitude_offset", "sum_offset",
                                             "difference_offset"};
@@ -139,8 +140,8 @@ std::string glsl_export(const Design& design, const Tables& tables, const std::s
     text.replace(text.find(numbers_here), 1, numbers(tables.data));
     text.insert(0, head);
     if (tables.needs.albedo)
-        text += fmt::format(
-            "\nvec3 {0}_albedo(vec3 k) {{\n    return {0}_total_albedo({0}_direction(k));\n}}\n", prefix);
+        text += fmt::format("\nvec3 {0}_albedo(vec3 k) {{\n    return {0}_{1}({0}_direction(k));\n}}\n",
+                            prefix, variant.kinds.coated() ? "coated_albedo" : "total_albedo");
     return text;
 }
 

@@ -79,7 +79,7 @@ bool is_retro(const Design& design) { return design.retro.weight > 0; }
 Json material_json(const Design& design, const Tables& tables) {
     const auto& surface = tables.shading.surface;
     Json json;
-    add_model("fresnel", design.fresnel, json);
+    add_model("fresnel", beneath(design.fresnel, index_above(design.coat)), json);
     if (tables.shading.fresnel_curve) json["fresnel_curve"] = curve_json(*tables.shading.fresnel_curve);
     add_model("shadowing", design.shadowing.model, json);
     json["clamp"] = design.shadowing.clamp;
@@ -90,6 +90,7 @@ Json material_json(const Design& design, const Tables& tables) {
     if (tables.needs.albedo) json["coupling"] = json_numbers(surface.coupling);
     if (has_intensity(design)) json["specular_intensity"] = design.specular.intensity;
     if (is_retro(design)) json["retro"] = design.retro.weight;
+    if (is_coated(design.coat)) add_model("coat", design.coat, json);
     if (tables.needs.tint == Tint::shared) json["tint"] = json_numbers(tables.shading.layers[0].tint);
     return json;
 }

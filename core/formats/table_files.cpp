@@ -7,6 +7,7 @@
 #include "core/bake/momentum_tables.h"
 #include "core/base/system/atomic_file.h"
 #include "core/base/system/output_folder.h"
+#include "core/formats/coat_manifest.h"
 #include "core/formats/table_manifest.h"
 #include "core/image/image_file.h"
 
@@ -138,6 +139,7 @@ std::vector<TablePicture> table_pictures(const Tables& tables) {
         pictures.push_back(albedo_picture(tables, "residual", shape.residual_offset, layout.factors()));
     if (tables.bounces) add_bounce_pictures(tables, pictures);
     if (tables.shading.kinds.matt_facets()) add_facet_pictures(tables, pictures);
+    if (tables.shading.kinds.coated()) add_coat_pictures(tables, pictures);
     add_layer_pictures(tables, pictures);
     pictures.push_back(corners_picture());
     return pictures;
@@ -152,6 +154,9 @@ std::vector<fs::path> table_files(const fs::path& folder, const Design& design) 
             files.push_back(folder / fmt::format("bounce-{}.exr", name));
     if (has_matt_facets(design.diffuse))
         for (const char* name : {"facet-terms.exr", "facet-albedo.exr"}) files.push_back(folder / name);
+    if (is_coated(design.coat))
+        for (const char* name : {"coat-albedo.exr", "coat-whole.exr", "coat-inner.exr"})
+            files.push_back(folder / name);
     for (int layer = 0; layer < static_cast<int>(design.distribution.layers.size()); ++layer)
         for (const char* kind : {"painted", "modulation"})
             files.push_back(folder / layer_picture_file(layer, kind));

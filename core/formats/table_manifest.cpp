@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/design/design_check.h"
+#include "core/formats/coat_manifest.h"
 #include "core/formats/distribution_json.h"
 #include "core/formats/error_json.h"
 #include "core/formats/json_numbers.h"
@@ -250,6 +251,7 @@ std::string table_manifest(const Design& design, const Tables& tables,
         json["albedo_in_brdf"] =
             "(1 - 0.5 retro) R(k) + 0.5 retro R(T(k)): what R(k) is in `brdf`, of R(k) as above; T(k) = (-x, "
             "-y, z)";
+    if (is_coated(design.coat)) json["coat"] = coat_json(design, tables);
     json["tables"] = pictures_json(pictures);
     json["texels"] = {
         {"w, v", "column i of n stands at i/(n-1): texels on both ends, not at centres"},

@@ -30,3 +30,6 @@ nacre_kind(diffuse facets FacetDiffuse)
 nacre_kind(multibounce none NoMultibounce)
 nacre_kind(multibounce rank_one RankOneMultibounce)
 nacre_kind(multibounce momentum MomentumMultibounce)
+
+nacre_kind(coat none NoCoat)
+nacre_kind(coat clear ClearCoat)

@@ -48,6 +48,13 @@ HWY_ATTR inline void store(LaneReals<Doubles> value, double* to, std::size_t cou
     std::copy_n(lanes, count, to);
 }
 
+// Compiled once, although both ends of a pair need it: everything is inlined into what loops over pairs.
+template <class Lanes>
+HWY_FLATTEN HWY_ATTR HWY_NOINLINE typename Lanes::Direction direction_of(const Lanes& shading,
+                                                                         typename Lanes::real3 k) {
+    return shading.direction(k);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace nacre
 HWY_AFTER_NAMESPACE();

@@ -56,6 +56,11 @@ void visit_table_fields(const Visit& visit, Shapes&... shapes) {
     visit("facet_rows", shapes.facet_rows...);
     visit("facet_classes", shapes.facet_classes...);
     visit("facet_terms", shapes.facet_terms...);
+    // In the GLSL of a coated design.
+    visit("coat_offset", shapes.coat_offset...);
+    visit("coat_albedo_nodes", shapes.coat_albedo_nodes...);
+    visit("coat_nodes", shapes.coat_nodes...);
+    visit("coat_rows", shapes.coat_rows...);
 }
 
 // Without `tables`, which comes first.
@@ -75,6 +80,11 @@ void visit_surface_fields(const Visit& visit, Surfaces&... surfaces) {
     visit("facet_scale", surfaces.facet_scale...);
     visit("facet_even", surfaces.facet_even...);
     visit("retro", surfaces.retro...);  // in the GLSL of a retro-reflective design
+    // In the GLSL of a coated design.
+    visit("coat_width", surfaces.coat_width...);
+    visit("coat_ior", surfaces.coat_ior...);
+    visit("coat_depth", surfaces.coat_depth...);
+    visit("coat_even", surfaces.coat_even...);
 }
 
 // The surface and its layers from one struct of shading_members.inl to another, whatever their precision.

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/base/limits.h"
+#include "core/model/coat_models.h"
 #include "core/model/diffuse_models.h"
 #include "core/model/fresnel_models.h"
 #include "core/model/lobes.h"
@@ -19,7 +20,7 @@
 namespace nacre {
 
 // What a shader variant fixes at compile time and C++ decides at run time. Models are indices into
-// the alternatives of Fresnel, MaskingModel and Diffuse.
+// the alternatives of Fresnel, MaskingModel, Diffuse, Multibounce and Coat.
 struct ShadingKinds {
     int fresnel = kind_index<Fresnel, NoFresnel>();
     int masking = kind_index<MaskingModel, UncorrelatedMasking>();
@@ -29,6 +30,7 @@ struct ShadingKinds {
     bool albedo = false;  // the tables hold R
     Tint tint = Tint::none;
     bool retro = false;  // surface.retro is above 0
+    int coat = kind_index<Coat, NoCoat>();
 
     constexpr FresnelTables fresnel_tables() const {
         return nacre::fresnel_tables(static_cast<std::size_t>(fresnel));
@@ -37,6 +39,7 @@ struct ShadingKinds {
         return nacre::fresnel_is_curve(static_cast<std::size_t>(fresnel));
     }
     constexpr bool matt_facets() const { return has_matt_facets(static_cast<std::size_t>(diffuse)); }
+    constexpr bool coated() const { return is_coated(static_cast<std::size_t>(coat)); }
     constexpr bool bounces() const { return has_bounces(static_cast<std::size_t>(multibounce)); }
     // Tables of what light meets that bounces on: none with F = 1, one for Schlick's weight, else one a
     // colour.

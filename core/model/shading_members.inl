@@ -30,6 +30,9 @@
 #define HAS_MATT_FACETS 1
 #define HAS_RETRO 1
 #define IS_RETRO kinds.retro
+#define HAS_COAT 1
+#define IS_COATED kinds.coated()
+#define COAT_IS(index) kinds.coat == index
 #define OR_ZERO {}
 
 static constexpr scalar LARGEST = std::numeric_limits<scalar>::max();
@@ -68,8 +71,10 @@ const float* curve = nullptr;  // F, where it is a table; owned by fresnel_curve
 #include "core/model/diffuse_members.inl"
 #include "shaders/shared/bounce_tables.glsl"
 #include "core/model/multibounce_members.inl"
+#include "core/model/coat_members.inl"
 #pragma GCC diagnostic pop
 #include "shaders/shared/multibounce.glsl"
+#include "shaders/shared/coat.glsl"
 #include "shaders/shared/brdf.glsl"
 #include "shaders/shared/terms.glsl"
 #include "shaders/shared/closed_forms.glsl"
@@ -117,7 +122,7 @@ void weigh_by_fresnel(real cosine, int channels, real (&values)[4]) const {
 // How often Brdf::sample() draws the cosine about n instead of a facet.
 scalar cosine_probability() const {
     if (kinds.diffuse != kind_index<Diffuse, NoDiffuse>()) return scalar(0.5);
-    return kinds.bounces() ? scalar(0.25) : scalar(0);
+    return kinds.bounces() || kinds.coated() ? scalar(0.25) : scalar(0);
 }
 
 // What is known of k without tables.
@@ -160,13 +165,36 @@ Mirrored mirrored_in_all_ways(const Direction& a, const Direction& b) const {
             (real(1.0) - part) * plain.drawn + part * (half * before.drawn + half * after.drawn)};
 }
 
-// brdf_of(), and the density of k2 in Brdf::sample().
+// How often Brdf::sample() draws one of the coat's own facets: as much of the light as they mirror.
+real coat_probability(const Direction& a) const {
+    const real3 through = a.passed * a.whole;
+    const real beneath = (through.x + through.y + through.z) / real(3.0), all = a.coat_R + beneath;
+    const real part = select(all > real(0.0), a.coat_R / all, real(0.5));
+    return min(max(part, real(0.1)), real(0.9));
+}
+
+// The density of k2 in Brdf::sample() of a coated design; `facets` that of k2 inside, by the facets beneath.
+real coated_density(const Direction& a, const Direction& b, real facets) const {
+    const HalfVector between = half_vector(a.outside, b.outside);
+    const real mirrored = facet_density(a.coat_g, select(between.exists, coat_density(between.h.z), real(0.0)));
+    const scalar square = surface.coat_ior * surface.coat_ior;
+    const real beneath = sampled_density(facets * b.outside.z / (b.k.z * real(square)), b.outside.z);
+    const real part = coat_probability(a);
+    return part * mirrored + (real(1.0) - part) * beneath;
+}
+
+// coated_brdf_of(), and the density of k2 in Brdf::sample().
 void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& drawn) const {
     const Mirrored facets = kinds.retro ? mirrored_in_all_ways(a, b) : mirrored(a, b);
     rho = facets.rho;
     if (kinds.bounces()) rho += whole_multibounce(a, b);
     rho = rho * surface.ks + diffuse(a, b);
-    drawn = sampled_density(facets.drawn, b.k.z);
+    if (!kinds.coated()) {
+        drawn = sampled_density(facets.drawn, b.k.z);
+        return;
+    }
+    rho = coat_reflection(a, b) + coat_passage(a, b) * rho;
+    drawn = coated_density(a, b, facets.drawn);
 }
 
 #undef CONSTANT
@@ -197,9 +225,13 @@ void brdf_and_density(const Direction& a, const Direction& b, real3& rho, real& 
 #undef HAS_MATT_FACETS
 #undef HAS_RETRO
 #undef IS_RETRO
+#undef HAS_COAT
+#undef IS_COATED
+#undef COAT_IS
 #undef OR_ZERO
 #undef EACH_LOBE
 #undef EACH_FRESNEL
 #undef EACH_MASKING
 #undef EACH_DIFFUSE
 #undef EACH_MULTIBOUNCE
+#undef EACH_COAT

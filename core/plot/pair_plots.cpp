@@ -41,6 +41,8 @@ std::string words_of(Term term) {
             return "Retro-reflected \u03c1";
         case Term::diffuse:
             return "Diffuse \u03c1";
+        case Term::coat:
+            return "Coat \u03c1";
         case Term::fresnel:
             return "F(k\u00b7h)";
         case Term::density:

@@ -82,8 +82,10 @@ std::vector<OptionalPart> optional_parts(const ShaderVariant& variant) {
             {"HAS_MULTIBOUNCE", variant.kinds.bounces()},
             {"HAS_MATT_FACETS", variant.kinds.matt_facets()},
             {"HAS_RETRO", variant.kinds.retro},
+            {"HAS_COAT", variant.kinds.coated()},
             {"SHOWS_MULTIBOUNCE", variant.term == Term::multibounce},
-            {"SHOWS_RETRO", variant.term == Term::retro}};
+            {"SHOWS_RETRO", variant.term == Term::retro},
+            {"SHOWS_COAT", variant.term == Term::coat}};
 }
 
 // The text with its lines `#if MACRO` to `#endif` and what is between them, or without: a design that does
@@ -117,6 +119,7 @@ std::string shown_definitions(const ShaderVariant& variant) {
         text += fmt::format("#define {} {}\n", name, on ? 1 : 0);
     };
     define("CLOSED_FORM", variant.closed_form.has_value());
+    if (variant.kinds.coated()) define("SHOWS_ALL", variant.term == Term::total);
     define("SHOWS_SPECULAR", variant.term == Term::specular);
     define("SHOWS_DIFFUSE", variant.term == Term::diffuse);
     define("SHOWS_FACTOR", is_factor(variant.term));
@@ -171,7 +174,8 @@ std::string variant_definitions(const ShaderVariant& variant) {
             "#define BOUNCES true\n#define BOUNCE_FACTORS {}\n#define MULTIBOUNCE_IS(index) true\n",
             variant.kinds.bounce_factors());
     if (variant.kinds.retro) text += "#define IS_RETRO true\n";
-    if (variant.kinds.retro || variant.kinds.bounces()) text += "#define OR_ZERO\n";
+    if (variant.kinds.coated()) text += "#define IS_COATED true\n#define COAT_IS(index) true\n";
+    if (variant.kinds.retro || variant.kinds.bounces() || variant.kinds.coated()) text += "#define OR_ZERO\n";
     // One model of each set is there.
     for (const char* fixed : {"FRESNEL_IS(index)", "FRESNEL_IS_LINEAR", "FRESNEL_IS_EXACT",
                               "MASKING_IS(index)", "DIFFUSE_IS(index)", "READS_ALBEDO"})
@@ -202,19 +206,26 @@ std::string shared_mathematics(const ShaderVariant& variant) {
                             text_of("shared/multibounce.glsl");
     }
     const std::string retro = kinds.retro ? text_of("shared/retro.glsl") + "\n" : "";
+    const KindTexts coat = kinds.coated()
+                               ? kind_texts<Coat>("coat", "COAT_CASE", {"_density", "_area"}, {kinds.coat})
+                               : KindTexts{};
+    if (kinds.coated() && kinds.fresnel != kind_index<Fresnel, DielectricFresnel>())
+        fresnel.functions += text_of("fresnel/dielectric.glsl") + "\n";
     std::string text;
     for (const std::string& part :
          {text_of("choice.glsl"), text_of("shared/fresnel.glsl"), fresnel.functions,
           text_of("shared/pictures.glsl"), lobe.functions, text_of("shared/lobes.glsl"),
           text_of("shared/tables.glsl"), text_of("shared/direction.glsl"), masking.functions,
           text_of("shared/visibility.glsl"), diffuse.functions + bounces.functions,
-          retro + text_of("shared/brdf.glsl")})
+          retro + (kinds.coated() ? coat.functions + text_of("shared/coat.glsl") + "\n" : ""),
+          text_of("shared/brdf.glsl")})
         text += part + "\n";
     text = with_parts_resolved(std::move(text), variant);
     text = with_cases(std::move(text), "EACH_LOBE", lobe.cases);
     text = with_cases(std::move(text), "EACH_FRESNEL", fresnel.cases);
     text = with_cases(std::move(text), "EACH_MASKING", masking.cases);
     text = with_cases(std::move(text), "EACH_MULTIBOUNCE", bounces.cases);
+    text = with_cases(std::move(text), "EACH_COAT", coat.cases);
     return with_cases(std::move(text), "EACH_DIFFUSE", diffuse.cases);
 }
 

@@ -28,9 +28,10 @@ void describe_modulation(const Modulation& modulation, Shader::Layer& layer, std
     if (picture.unit != 1) layer.scale *= factor;
 }
 
-void describe_fresnel(const Fresnel& fresnel, Shader& shading) {
+// In a medium of index `above`.
+void describe_fresnel(const Fresnel& fresnel, double above, Shader& shading) {
     shading.kinds.fresnel = static_cast<int>(fresnel.index());
-    const ShaderFresnel numbers = std::visit([](const auto& model) { return model.shader(); }, fresnel);
+    const ShaderFresnel numbers = shader_beneath(fresnel, above);
     shading.surface.fresnel_a = numbers.a;
     shading.surface.fresnel_b = numbers.b;
     shading.fresnel_curve = numbers.curve;
@@ -84,7 +85,7 @@ void describe_material(const Design& design, const FacetDistribution& facets, Sh
     const double width =
         std::visit([](const auto& model) { return model.shader_width(); }, design.shadowing.model);
     surface.masking_width = width * (std::numbers::pi / 180);
-    describe_fresnel(design.fresnel, shading);
+    describe_fresnel(design.fresnel, index_above(design.coat), shading);
     describe_tints(design.distribution, facets, shading);
     const dvec3 f0 = shading.fresnel(1) * mean_tint(design.distribution);
     const ShaderDiffuse diffuse =
@@ -98,7 +99,7 @@ void describe_material(const Design& design, const FacetDistribution& facets, Sh
 
 Reflectance reflectance_of(const Fresnel& fresnel) {
     Shader shading;
-    describe_fresnel(fresnel, shading);
+    describe_fresnel(fresnel, 1, shading);
     return [shading](double cosine) { return shading.fresnel(cosine); };
 }
 

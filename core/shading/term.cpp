@@ -30,6 +30,10 @@ constexpr TermInfo terms[] = {
     {Term::diffuse, "diffuse", "Diffuse",
      "The light that enters and leaves again elsewhere; for the coupled model what the specular term leaves "
      "over (eq. 27 to 30)."},
+    {Term::coat, "coat", "Coat",
+     "What the coat adds: its own highlight, and the light that has gone back and forth between it and what "
+     "lies "
+     "beneath. The other terms are seen through it."},
     {Term::inverse_areas, "1/gg", "1/(g g)",
      "What brightens toward the rim: 1 over the projected facet areas that light and eye see, 1/(g(k1) "
      "g(k2)) "
@@ -64,6 +68,7 @@ bool is_factor(Term term) {
         case Term::multibounce:
         case Term::retro:
         case Term::diffuse:
+        case Term::coat:
             return false;
         case Term::density:
         case Term::masking1:
@@ -77,6 +82,7 @@ bool is_factor(Term term) {
 
 bool has_term(const ShadingKinds& kinds, Term term) {
     if (term == Term::multibounce) return kinds.bounces();
+    if (term == Term::coat) return kinds.coated();
     return term != Term::retro || kinds.retro;
 }
 

@@ -17,7 +17,8 @@ enum class Term {
     specular,       // its specular term with its weight, 1/sr
     multibounce,    // light of two or more bounces between facets, 1/sr
     retro,          // what of the specular term goes back to where the light came from, 1/sr
-    diffuse,        // everything else, 1/sr
+    diffuse,        // everything else beneath a coat, 1/sr
+    coat,           // what a coat adds to what lies beneath it, 1/sr
     density,        // p(h), 1/sr
     masking1,       // P(k1)
     masking2,       // P(k2)

@@ -159,7 +159,7 @@ class Judgement {
         int bright = 0;
         const std::vector<dvec3> probes = probe_directions(options_.probes.area);
         for (const dvec3 k : probes) {
-            const dvec3 total = tables_->shading.total_albedo(tables_->shading.direction(k));
+            const dvec3 total = tables_->shading.coated_albedo(tables_->shading.direction(k));
             bright += total.x <= bound && total.y <= bound && total.z <= bound ? 0 : 1;
         }
         expect(bright == 0, fmt::format("the whole BRDF reflects more than {:.6g} in {} of {} directions",

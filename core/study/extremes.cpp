@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/study/bounce_extremes.h"
+#include "core/study/coat_extremes.h"
 #include "core/study/kind_extremes.h"
 #include "core/study/retro_extremes.h"
 
@@ -285,6 +286,7 @@ std::vector<ExtremeCase> extreme_cases() {
         add(cases);
     add_retro_extremes(cases);
     add_bounce_extremes(cases);
+    add_coat_extremes(cases);
     return cases;
 }
 

@@ -23,6 +23,7 @@ constexpr int directions = 24, rings = 10, azimuths = 360;
 BounceCheck measure_bounces(const Tables& tables, std::stop_token stop) {
     Shading<double> white = tables.shading;
     white.surface.bounce_scale = dvec3{1};
+    white.kinds.coat = kind_index<Coat, NoCoat>();
     struct End {
         Shading<double>::Direction direction;
         double weight;

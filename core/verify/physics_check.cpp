@@ -28,7 +28,9 @@ constexpr double upright_degrees = 0.01;                             // H counts
 constexpr int furnace_directions = 8, total_directions = 200;
 constexpr int reciprocity_pairs = 20000, least_pairs = 2000;
 constexpr double reciprocity_seconds = 5;  // of the processor
-constexpr double most_surprise = 6;        // one false alarm in a million designs
+constexpr int coat_directions = 4, coat_samples = 65536;
+constexpr double coat_bound = 0.03;
+constexpr double most_surprise = 6;  // one false alarm in a million designs
 
 Verdict verdict(bool good) { return good ? Verdict::pass : Verdict::fail; }
 
@@ -62,6 +64,7 @@ class PhysicsCheckRun {
         check_density();
         if (design_.specular.intensity > 1) check_intensity();
         if (tables_->bounces) check_bounces();
+        if (is_coated(design_.coat)) check_coat();
         report(1);
         return result_;
     }
@@ -191,7 +194,7 @@ class PhysicsCheckRun {
     void check_intensity() {
         double most = 0;
         for (const dvec3 k : probe_directions(total_directions)) {
-            const dvec3 total = tables_->shading.total_albedo(tables_->shading.direction(k));
+            const dvec3 total = tables_->shading.coated_albedo(tables_->shading.direction(k));
             most = worse_error(most, std::max({total.x, total.y, total.z}));
         }
         add("intensity", most, 1, most <= 1 ? Verdict::note : Verdict::fail,
@@ -206,6 +209,25 @@ class PhysicsCheckRun {
         add("bounces", bounces.furnace, bound, verdict(bounces.furnace <= bound),
             fmt::format("white furnace: worst |1 - R - what bounces bring| at F = 1, {} directions",
                         bounces.directions));
+    }
+
+    // Samples of the whole BRDF against the albedo that the coat's tables hold.
+    void check_coat() {
+        const Brdf brdf(tables_);
+        double off = 0;
+        for (const dvec3 k : probe_directions(coat_directions)) {
+            report(0.95);
+            const BrdfSampler sampler(brdf, k);
+            Random random(1);
+            dvec3 sum{0};
+            for (int i = 0; i < coat_samples; ++i)
+                if (const auto sample = sampler(random)) sum += sample->weight;
+            const dvec3 error = glm::abs(sum / double{coat_samples} - brdf.total_albedo(k));
+            for (int c = 0; c < 3; ++c) off = worse_error(off, error[c]);
+        }
+        add("coat", off, coat_bound, verdict(off <= coat_bound),
+            fmt::format("worst |mean weight of all samples - albedo of the whole|, {} directions",
+                        coat_directions));
     }
 
     const Design& design_;

@@ -22,23 +22,18 @@ struct RadianceIntegral::View {
     Shading<double>::Direction viewer;
     double irradiance = 0;  // of the light's density
 
-    // What the viewer sees of facets in one of their ways.
-    dvec3 seen_from(const MirrorWay& way) const { return way.entering(viewer.k); }
-    double area(const MirrorWay& way) const { return way.before ? viewer.turned_g : viewer.g; }
+    std::vector<FacetWay> ways;  // of facets that the viewer sees
 
     // Of k1, 1/sr: visible facets, and light as the surface sees it.
     double facet_density(dvec3 k1) const {
         double sum = 0;
-        for (const MirrorWay& way : mirror_ways(shading))
-            if (way.part > 0 && area(way) > 0)
-                sum += way.part * shading.density(glm::normalize(way.leaving(k1) + seen_from(way))) /
-                       (4 * area(way));
+        for (const FacetWay& way : ways) sum += way.way.part * way.density(shading, k1);
         return sum;
     }
     double light_density(double density, double cosine) const {
         return irradiance > 0 ? density * cosine / irradiance : 0;
     }
-    dvec3 reflected(dvec3 k1) const { return shading.brdf_of(shading.direction(k1), viewer) * k1.z; }
+    dvec3 reflected(dvec3 k1) const { return shading.coated_brdf_of(shading.direction(k1), viewer) * k1.z; }
 };
 
 RadianceIntegral::RadianceIntegral(std::shared_ptr<const Tables> tables,
@@ -69,23 +64,24 @@ dvec3 RadianceIntegral::over_light(const View& view) const {
     return sum;
 }
 
-dvec3 RadianceIntegral::over_facets(const View& view, const MirrorWay& way) const {
+dvec3 RadianceIntegral::over_facets(const View& view, const FacetWay& way) const {
     const int points = facet_points * fineness_;
-    const dvec3 k2 = view.seen_from(way);
+    const dvec3 k2 = way.k1;
     dvec3 sum{0};
     const auto add = [&](const Facet& facet, double weight) {
         const double kh = glm::dot(k2, facet.h);
-        const dvec3 k1 = way.leaving(glm::normalize(2 * kh * facet.h - k2));
+        const dvec3 k1 = way.end(view.shading, facet.h);
         if (kh <= 0 || k1.z <= 0 || facet.mass <= 0) return;
         const dvec3 radiance = radiance_at(environment_->picture, lat_long_place(view.frame * k1));
         const double by_facets = view.facet_density(k1);
         const double by_light = view.light_density(environment_->light_density(radiance), k1.z);
         if (!(by_facets > 0)) return;
-        // dk1 = 4 (k2.h) dh, of which this way's facets are p dh.
+        // dk1 = 4 (k2.h) dh, of which this way's facets are p dh, and again as much by refraction as they are
+        // then less dense.
         sum += view.reflected(k1) * radiance *
-               (way.part * weight * facet.mass * kh / view.area(way) / (by_facets + by_light));
+               (way.way.part * weight * facet.mass * kh / way.g / (by_facets + by_light));
     };
-    for (const PlacedLobe& placed : tables_->distribution->lobes())
+    for (const PlacedLobe& placed : way.distribution->lobes())
         for (const LobeParameterization& span : placed.lobe->domains()) {
             const GreatCircleQuadrature walk(placed, span, k2);
             for (int i = 0; i < 2 * points; ++i) {
@@ -100,13 +96,12 @@ dvec3 RadianceIntegral::over_facets(const View& view, const MirrorWay& way) cons
 }
 
 dvec3 RadianceIntegral::operator()(const glm::dmat3& frame, dvec3 k2) const {
-    View view{tables_->shading, frame, tables_->shading.direction(k2)};
+    View view{tables_->shading, frame, tables_->shading.direction(k2), 0, facet_ways(*tables_, k2)};
     for (const Light& light : lights_)
         view.irradiance +=
             light.density * light.solid_angle * std::fmax(glm::dot(light.direction, frame[2]), 0.0);
     dvec3 sum = over_light(view);
-    for (const MirrorWay& way : mirror_ways(view.shading))
-        if (way.part > 0 && view.area(way) > 0) sum += over_facets(view, way);
+    for (const FacetWay& way : view.ways) sum += over_facets(view, way);
     return sum;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/bake/brdf.h"
-#include "core/bake/mirror_ways.h"
 #include "core/light/environment.h"
+#include "core/verify/facet_ways.h"
 
 namespace nacre {
 
@@ -34,7 +34,7 @@ class RadianceIntegral {
     struct View;
 
     dvec3 over_light(const View& view) const;
-    dvec3 over_facets(const View& view, const MirrorWay& way) const;
+    dvec3 over_facets(const View& view, const FacetWay& way) const;
 
     std::shared_ptr<const Tables> tables_;
     std::shared_ptr<const Environment> environment_;

@@ -17,7 +17,7 @@ constexpr int samples = 16384;  // the mean's standard error is below 0.004 wher
 constexpr int directions = 8, least_directions = 4;
 constexpr double seconds = 8;  // of the processor
 
-// The specular term alone, unweighted, so that every sample is a visible facet.
+// The specular term alone, as it is beneath a coat, unweighted, so that every sample is a visible facet.
 std::shared_ptr<const Tables> specular_only(const Tables& tables) {
     auto specular = std::make_shared<Tables>();
     specular->needs = tables.needs;
@@ -28,6 +28,7 @@ std::shared_ptr<const Tables> specular_only(const Tables& tables) {
     specular->shading.data = specular->data.data();
     specular->shading.kinds.diffuse = kind_index<Diffuse, NoDiffuse>();
     specular->shading.kinds.multibounce = kind_index<Multibounce, NoMultibounce>();
+    specular->shading.kinds.coat = kind_index<Coat, NoCoat>();
     specular->shading.surface.ks = 1;
     return specular;
 }

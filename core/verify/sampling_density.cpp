@@ -8,10 +8,10 @@
 #include "core/bake/bake.h"
 #include "core/bake/bounce_directions.h"
 #include "core/bake/brdf.h"
-#include "core/bake/mirror_ways.h"
 #include "core/model/span_facet.h"
 #include "core/verify/direction_bins.h"
 #include "core/verify/effort.h"
+#include "core/verify/facet_ways.h"
 #include "core/verify/table_error.h"
 
 namespace nacre {
@@ -51,45 +51,22 @@ std::vector<Facet> visible_facets(const FacetDistribution& distribution, dvec3 k
     return facets;
 }
 
-// One way of the specular term from one k1, by p itself.
-struct WayFrom {
-    MirrorWay way;
-    dvec3 k1;  // as facets see it
-    double g;
-
-    double density(const FacetDistribution& distribution, dvec3 k2) const {
-        return distribution.density(glm::normalize(k1 + way.leaving(k2))) / (4 * g);
-    }
-};
-
-// Those that are gone and find facets.
-std::vector<WayFrom> ways_from(const Tables& tables, dvec3 k1) {
-    std::vector<WayFrom> ways;
-    for (const MirrorWay& way : mirror_ways(tables.shading)) {
-        const dvec3 from = way.entering(k1);
-        const double g = tables.distribution->projected_area(from);
-        if (way.part > 0 && g > 0) ways.push_back({way, from, g});
-    }
-    return ways;
-}
-
 // Shares of the pdf at k1. Facets in each way and cosine all cover what the others miss: a point's share is
 // the pdf over the density of all points there (the balance heuristic, Veach & Guibas 1995).
 std::vector<DirectionShare> shares_at(const Brdf& brdf, dvec3 k1) {
-    const FacetDistribution& distribution = *brdf.tables().distribution;
-    const std::vector<WayFrom> ways = ways_from(brdf.tables(), k1);
+    const Shading<double>& shading = brdf.tables().shading;
+    const std::vector<FacetWay> ways = facet_ways(brdf.tables(), k1);
     const bool with_cosine = brdf.cosine_probability() > 0;
     std::vector<DirectionShare> shares;
     auto add = [&](dvec3 k2, double points) {
         if (!(k2.z > 0)) return;
         double density = with_cosine ? cosine_density(k2) : 0;
-        for (const WayFrom& way : ways) density += way.density(distribution, k2);
+        for (const FacetWay& way : ways) density += way.density(shading, k2);
         if (density > 0) shares.push_back({k2, points * brdf.pdf(k1, k2) / density});
     };
-    for (const WayFrom& way : ways)
-        for (const Facet& facet : visible_facets(distribution, way.k1))
-            add(way.way.leaving(glm::normalize(2 * glm::dot(way.k1, facet.h) * facet.h - way.k1)),
-                facet.mass);
+    for (const FacetWay& way : ways)
+        for (const Facet& facet : visible_facets(*way.distribution, way.k1))
+            add(way.end(shading, facet.h), facet.mass);
     if (with_cosine)
         for (const dvec3 k : even_directions(cosine_points)) add(k, 1.0 / cosine_points);
     return shares;
@@ -136,7 +113,8 @@ Comparison compare_at(const Brdf& brdf, dvec3 k1, const DirectionSource& source,
     const Tables& tables = brdf.tables();
     // The pdf reads g from the tables, samples follow p itself.
     double slack = 0;
-    for (const WayFrom& way : ways_from(tables, k1)) {
+    for (const FacetWay& way : facet_ways(tables, k1)) {
+        if (way.distribution != tables.distribution.get()) continue;
         const double read = tables.shading.projected_area(way.k1, tables.shading.table_spot(way.k1));
         if (read > 0) slack = std::max(slack, std::fabs(way.g / read - 1));
     }

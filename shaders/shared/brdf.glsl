@@ -10,26 +10,6 @@ EACH_FRESNEL
     return f;
 }
 
-// Of two directions: what is between them, and k.h. Two that are opposite have none.
-struct HalfVector {
-    real3 h;
-    real cosine;
-    condition exists;
-};
-
-HalfVector half_vector(real3 k1, real3 k2) READS {
-    // Scaled by its largest part first: the square of the sum of two opposite grazing directions underflows.
-    real3 sum = k1 + k2;
-    real reach = max(max(abs(sum.x), abs(sum.y)), abs(sum.z));
-    HalfVector between;
-    between.exists = reach > real(0.0);
-    sum = select(between.exists, sum / reach, real3(0.0, 0.0, 1.0));
-    real size = length(sum);
-    between.h = sum / size;
-    between.cosine = min(real(0.5) * (size * reach), real(1.0));
-    return between;
-}
-
 // rho = p(h) F(k.h) P12 / (4 N c1 c2), 1/sr; p = density(between.h)           (eq. 11, 26)
 real3 specular_of(Direction a, Direction b, HalfVector between, real p) READS {
     if (none(p > real(0.0))) return real3(0.0);
@@ -182,6 +162,10 @@ Direction with_turned(Direction a) READS {
 #endif
 // Reads the tables for k, which is above the horizon.
 Direction direction(real3 k) READS {
+#if HAS_COAT
+    real3 outside = k;
+    if (IS_COATED) k = refracted(k);
+#endif
     Direction a;
     TableSpot spot = table_spot(k);
     a.k = k;
@@ -194,7 +178,10 @@ Direction direction(real3 k) READS {
     if (BOUNCES) a = with_bounces(a, albedo_spot(k, spot), clamped_part(k, a.g));
 #endif
 #if HAS_RETRO
-    if (IS_RETRO) return with_turned(a);
+    if (IS_RETRO) a = with_turned(a);
+#endif
+#if HAS_COAT
+    if (IS_COATED) a = coated(a, outside);
 #endif
     return a;
 }
@@ -216,6 +203,14 @@ real3 total_albedo(Direction a) READS {
 #endif
     return a.R * surface.ks + diffuse_albedo(a);
 }
+#if HAS_COAT
+
+// With the coat over it.
+real3 coated_albedo(Direction a) READS {
+    if (IS_COATED) return real3(a.coat_R) + a.passed * a.whole;
+    return total_albedo(a);
+}
+#endif
 #endif
 
 real3 brdf_of(Direction a, Direction b) READS {
@@ -228,11 +223,24 @@ real3 brdf_of(Direction a, Direction b) READS {
     return specular(a, b) * surface.ks + diffuse(a, b);
 }
 
+#if HAS_COAT
+// With the coat over it.
+real3 coated_brdf_of(Direction a, Direction b) READS {
+    if (IS_COATED) return coat_reflection(a, b) + coat_passage(a, b) * brdf_of(a, b);
+    return brdf_of(a, b);
+}
+
+#endif
 // The BRDF of unit vectors in the local frame, 1/sr; 0 where either is not above the horizon.
 real3 brdf(real3 k1, real3 k2) READS {
     condition above = k1.z > real(0.0) && k2.z > real(0.0);
     if (none(above)) return real3(0.0);
     real3 n = real3(0.0, 0.0, 1.0);
-    real3 rho = brdf_of(direction(select(above, k1, n)), direction(select(above, k2, n)));
+    Direction a = direction(select(above, k1, n));
+    Direction b = direction(select(above, k2, n));
+    real3 rho = brdf_of(a, b);
+#if HAS_COAT
+    rho = coated_brdf_of(a, b);
+#endif
     return select(above, rho, real3(0.0));
 }

@@ -57,6 +57,12 @@ struct TableShape {
     int facet_classes;
     int facet_terms;    // of each class
 #endif
+#if HAS_COAT
+    int coat_offset;        // R_c, then u and b, each colour
+    int coat_albedo_nodes;  // of R_c
+    int coat_nodes;         // of u and b, in the root of the cosine outside
+    int coat_rows;          // along azimuth
+#endif
 };
 
 struct Surface {
@@ -80,5 +86,11 @@ struct Surface {
 #endif
 #if HAS_RETRO
     scalar retro;         // weight of retro-reflection in the specular term
+#endif
+#if HAS_COAT
+    scalar coat_width;    // of its own facets
+    scalar coat_ior;
+    scalar3 coat_depth;   // optical depth of one way through it along n
+    scalar3 coat_even;    // 1/E of coat.glsl
 #endif
 };

@@ -11,6 +11,7 @@ int main(int count, char** values) {
     add_sampling(report);
     add_multibounce(report);
     add_facets(report);
+    add_coat(report);
     add_area(report);
     add_lobe_area(report);
     add_albedo(report);

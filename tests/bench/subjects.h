@@ -13,5 +13,6 @@ void add_evaluation(Report& report);   // the BRDF of one pair of directions aga
 void add_sampling(Report& report);     // visible facets against spherical caps
 void add_facets(Report& report);       // what matt facets cost
 void add_multibounce(Report& report);  // what light that bounces between facets costs
+void add_coat(Report& report);         // what a clear coat costs
 
 }  // namespace nacre::bench

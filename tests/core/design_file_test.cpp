@@ -38,6 +38,18 @@ Picture held(int side, const std::vector<float>& values) {
 
 Design parse(std::string_view text) { return parse_design(text, "test.nacre", "/"); }
 
+// With each kind of a set in turn, made by `with` from the default design.
+template <class Set, class With>
+void check_versions(const With& with) {
+    for (std::size_t i = 0; i < KindSet<Set>::count; ++i) {
+        const Set kind = KindSet<Set>::made(i);
+        Design design;
+        with(design, kind);
+        CAPTURE(kind_name(kind));
+        CHECK(version_of(design) == file_version(kind));
+    }
+}
+
 }  // namespace
 
 TEST_SUITE("design") {
@@ -177,6 +189,15 @@ TEST_SUITE("design") {
         CHECK(line.find(": distribution.layers[0].modulation.image: ") != std::string::npos);
         CHECK(line.find("\\xff.exr") != std::string::npos);
         CHECK(read_all(folder / "a.nacre") == "old");
+    }
+
+    TEST_CASE("a file has the version of the kinds that it holds") {
+        check_versions<Lobe>([](Design& d, const Lobe& kind) { d.distribution.layers[0].lobe = kind; });
+        check_versions<MaskingModel>([](Design& d, const MaskingModel& kind) { d.shadowing.model = kind; });
+        check_versions<Fresnel>([](Design& d, const Fresnel& kind) { d.fresnel = kind; });
+        check_versions<Diffuse>([](Design& d, const Diffuse& kind) { d.diffuse = kind; });
+        check_versions<Multibounce>([](Design& d, const Multibounce& kind) { d.multibounce = kind; });
+        check_versions<Coat>([](Design& d, const Coat& kind) { d.coat = kind; });
     }
 
     TEST_CASE("design: saving where it cannot be saved") {

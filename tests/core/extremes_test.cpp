@@ -113,11 +113,13 @@ TEST_CASE("multiple bounces where hardly any light stays, and where hardly any l
 
 TEST_CASE("matt facets where p is narrow, leans, or is all but a sphere") { check_group("matt facets"); }
 
+TEST_CASE("coats of every index, roughness and colour") { check_group("coat"); }
+
 TEST_CASE("no case stands outside the groups that are tested, and names are told apart") {
     std::size_t count = 0;
     for (const char* group :
          {"lobes", "ratios", "tilts", "mixtures", "pictures", "scales", "mean cosine", "visibility",
-          "materials", "intensity", "tints", "retro", "bounces", "matt facets"})
+          "materials", "intensity", "tints", "retro", "bounces", "matt facets", "coat"})
         count += cases_of(group).size();
     std::vector<std::string> names;
     for (const ExtremeCase& extreme : extreme_cases()) names.push_back(extreme.group + extreme.name);

@@ -142,7 +142,8 @@ TEST_CASE("file format: the document has every kind with every key") {
     const std::string kinds =
         "\n" + kinds_text<Lobe>("Lobes of a layer", "lobe") +
         kinds_text<MaskingModel>("`shadowing`", "model") + kinds_text<Fresnel>("`fresnel`", "model") +
-        kinds_text<Diffuse>("`diffuse`", "model") + kinds_text<Multibounce>("`multibounce`", "model");
+        kinds_text<Diffuse>("`diffuse`", "model") + kinds_text<Multibounce>("`multibounce`", "model") +
+        kinds_text<Coat>("`coat`", "model");
     const std::filesystem::path file = NACRE_SOURCE_DIR "/docs/file-format.md";
     std::string text = read_all(file);
     const std::size_t begin = text.find(begin_mark), end = text.find(end_mark);

@@ -167,6 +167,7 @@ Design random_design(const std::vector<Picture>& files) {
     if (may_bounce && coin()) design.multibounce = random_kind<Multibounce>();
     if (coin()) design.specular.intensity = number(0, limits::intensity_max);
     if (coin()) RandomParameter{files}.fill(design.retro);
+    if (coin()) design.coat = random_kind<Coat>();
     return design;
 }
 

@@ -1,5 +1,5 @@
 """formulas.py NACRE_CLI SOURCE FOLDER [DESIGN...]: the formulas of manifest.json, evaluated as they are written there, give the BRDF of
-`nacre-cli eval`: of every kind of core/model/kinds.cmake with its defaults, isotropic, anisotropic, leaning, modulated, painted, tinted and retro-reflective; or of these designs alone."""
+`nacre-cli eval`: of every kind of core/model/kinds.cmake with its defaults, isotropic, anisotropic, leaning, modulated, painted, tinted, retro-reflective and coated; or of these designs alone."""
 import json, pathlib, re, subprocess, sys
 import numpy as np
 from agreement import fail, pairs_above_the_horizon, require_close, rows_of
@@ -49,6 +49,9 @@ def designs():
     for index, masking in enumerate(kinds["masking"]):
         yield f"retro-{masking}", [{**layers[0], "tilt": 25, "azimuth": 40}, haze], masking, of(kinds["fresnel"], index), of(kinds["diffuse"], index)
     yield "retro-bright", [{**layers[0], "tilt": 25, **red}, {**haze, **blue}], kinds["masking"][0], "schlick", "coupled"
+    for index, fresnel in enumerate(kinds["fresnel"]):
+        yield f"coat-{fresnel}", [{**layers[0], **turned[index % 3]}, haze], of(kinds["masking"], index), fresnel, of(kinds["diffuse"], index)
+    yield "coat-leaning", [{**layers[0], "tilt": 25, **red}, {**haze, **blue}], kinds["masking"][0], "schlick", "coupled"
     yield "whole-sphere", [{"lobe": "uniform", "domain": "sphere"}, layers[0]], kinds["masking"][0], "none", "none"
 
 
@@ -89,6 +92,8 @@ for name, layers, masking, fresnel, diffuse in designs():
     specular = {"specular": {"intensity": 2.5}} if name.endswith("bright") else {}
     if name.startswith("retro"):
         specular["retro"] = {"weight": 0.4}
+    if name.startswith("coat"):
+        specular["coat"] = {"model": "clear", "roughness": 0.3, "ior": 1.4, "colour": [0.9, 0.6, 0.3]}
     design.write_text(json.dumps({"nacre": 2, "distribution": {"layers": layers}, **specular, "multibounce": {"model": bounces_of(name, diffuse)},
                                   "shadowing": {"model": masking, "clamp": not name.endswith("no-clamp")},
                                   "fresnel": {"model": fresnel, **materials.get(fresnel, {})}, "diffuse": {"model": diffuse, **diffuses.get(diffuse, {})}}))

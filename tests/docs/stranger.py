@@ -42,15 +42,18 @@ class Stranger:
             self.pictures[table["file"]] = oiio.ImageBuf(str(folder / table["file"])).get_pixels(oiio.FLOAT).astype(float)
         self.tables = {table["quantity"]: self.pictures[table["file"]] for table in self.manifest["tables"]}
         self.known = {**FUNCTIONS, **{key: np.array(value) if isinstance(value, list) else value
-                                      for part in ("constants", "material") for key, value in self.manifest[part].items()}}
+                                      for part in (self.manifest["constants"], self.manifest["material"], self.manifest.get("coat", {}).get("constants", {}))
+                                      for key, value in part.items()}}
         if "fresnel_curve" in self.known:
             self.known["fresnel_curve"] = functools.partial(rows_at, self.known["fresnel_curve"])
-        self.known.update(turns=turns, F=self.fresnel, p=self.p, q=self.q, T=lambda k: k * [-1, -1, 1], R=self.albedo, mirrored=self.mirrored)
+        self.known.update(turns=turns, F=self.fresnel, p=self.p, q=self.q, T=lambda k: k * [-1, -1, 1], n=np.array([0.0, 0.0, 1.0]), R=self.albedo, mirrored=self.mirrored)
         for name, quantity in (("A", "A"), ("albedo", "albedo"), ("residual", "residual"), *((name, name) for name in ("whole", "factor", "brought", "spread"))):
             self.known[name] = lambda at, row, quantity=quantity: self.look_up(quantity, at, row)
 
         self.known["facet_albedo"] = lambda at, row: self.look_up("facet_albedo", at, row)
         self.known["facets"] = self.facets
+        for name in ("coat_albedo", "coat_whole", "coat_inner"):
+            self.known[name] = lambda at, row, name=name: self.look_up(name, at, row)
         for table in self.manifest["tables"]:
             if table["quantity"] in ("sum", "difference"):
                 self.known[table["quantity"]] = lambda t, table=table: self.at_momentum(table, t)
@@ -172,6 +175,22 @@ class Stranger:
     def brdf(self, k1, k2):
         if k1[2] <= 0 or k2[2] <= 0:
             return np.zeros(3)
+        if "coat" in self.manifest:
+            return self.coated(k1, k2)
+        return self.beneath(k1, k2)
+
+    def coated(self, k1, k2):
+        coat, ends = self.manifest["coat"], {"k1": k1, "k2": k2}
+        for index, k in (("1", k1), ("2", k2)):
+            scope = self.follow(coat["inside"], {"x": k[0], "y": k[1], "z": k[2]})
+            ends["inside" + index] = np.array([scope["xi"], scope["yi"], scope["zi"]])
+            scope["rho"] = self.direction(ends["inside" + index])["rho"]
+            self.follow(coat["evaluate"], scope)
+            ends.update({name + index: scope[name] for name in ("t", "b", "gc")})
+        ends["rho_b"] = self.beneath(ends.pop("inside1"), ends.pop("inside2"))
+        return np.broadcast_to(self.follow(coat["brdf"], ends)["rho"], 3)
+
+    def beneath(self, k1, k2):
         return np.broadcast_to(self.follow(self.manifest["brdf"], self.pair(k1, k2))["rho"], 3)
 
 

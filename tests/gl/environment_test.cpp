@@ -57,7 +57,7 @@ TEST_CASE("in a furnace every preset sends out its own albedo") {
         std::vector<glm::dvec3> albedo;
         for (const glm::dmat3& frame : points.frames) {
             const dvec3 k(frame[0].z, frame[1].z, frame[2].z);
-            albedo.push_back(tables->shading.total_albedo(tables->shading.direction(k)));
+            albedo.push_back(tables->shading.coated_albedo(tables->shading.direction(k)));
         }
         CHECK(relative_error(accumulated(preview, points, furnace, 256), albedo) < 0.02);
         ++presets;
@@ -99,6 +99,23 @@ TEST_CASE("a retro-reflective picture converges to core's integral") {
     const double fine = relative_error(accumulated(preview, points, light, 1024), exact);
     CHECK(fine < 0.01);
     CHECK(fine < 0.5 * coarse);
+}
+
+TEST_CASE("a coated picture converges to core's integral") {
+    const auto context = make_offscreen_context({16, 16});
+    Preview preview;
+    const ViewedPoints points(preview, 16, 20);
+    Design paint = design_of(BeckmannLobe{0.1, 0.3}, 10, 30);
+    paint.retro.weight = 0.3;
+    paint.coat = ClearCoat{0.1, 1.5, {0.9, 0.6, 0.3}};
+    const auto tables = bake(paint);
+    preview.set(tables);
+    const auto light = environment("studio", 256);
+    const auto exact = integrals(points, tables, light, 2);
+    const double coarse = relative_error(accumulated(preview, points, light, 64), exact);
+    const double fine = relative_error(accumulated(preview, points, light, 4096), exact);
+    CHECK(fine < 0.01);
+    CHECK(fine < 0.2 * coarse);
 }
 
 TEST_CASE("a mirror shows each side of the environment on its own side") {

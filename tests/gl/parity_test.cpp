@@ -73,6 +73,14 @@ std::vector<NamedDesign> designs() {
     Design sign = design_of(GgxLobe{0.2, 0.4});
     sign.retro.weight = 1;
     all.push_back({"retro-reflective", sign});
+    // Under a coat: leaning with every part, and a metal.
+    dusty.multibounce = RankOneMultibounce{};
+    dusty.coat = ClearCoat{0.2, 1.4, {0.9, 0.5, 0.2}};
+    all.push_back({"lopsided, retro-reflective and coated", dusty});
+    Design paint = design_of(GgxLobe{0.3, 0.3});
+    paint.fresnel = ConductorFresnel{};
+    paint.coat = ClearCoat{};
+    all.push_back({"coated metal", paint});
     // Every kind there is.
     using Materials = KindSet<Fresnel>;
     for (std::size_t i = 0; i < std::max(KindSet<Lobe>::count, Materials::count); ++i) {

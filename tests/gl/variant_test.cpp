@@ -47,7 +47,8 @@ std::vector<ShaderVariant> all_kinds() {
                                  .clamp = turn % 2 == 0,
                                  .albedo = reads || turn % 5 == 0,
                                  .tint = std::array{Tint::none, Tint::shared, Tint::varied}[turn / 2 % 3],
-                                 .retro = turn % 7 < 3};
+                                 .retro = turn % 7 < 3,
+                                 .coat = turn % 3 % static_cast<int>(KindSet<Coat>::count)};
                 variant.lights = 1 + turn % 3;
                 variant.ambient = variant.kinds.albedo && turn % 4 < 2;
                 variant.term = all_terms()[static_cast<std::size_t>(turn) % all_terms().size()].term;

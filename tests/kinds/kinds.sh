@@ -35,6 +35,7 @@ model fresnel tinted TintedFresnel
 model masking halved HalvedMasking
 model diffuse evenly EvenDiffuse
 model multibounce flat FlatMultibounce
+model coat varnish VarnishCoat
 echo 'verb count:'
 add count_verb.cpp app/cli/count_verb.cpp
 line app/cli/verb_list.inc 'VERB(count)'
@@ -85,7 +86,8 @@ cat >design.nacre <<'D'
   "shadowing": {"model": "halved"},
   "fresnel": {"model": "tinted", "tint": [0.9, 0.5, 0.1]},
   "diffuse": {"model": "evenly", "albedo": [0.1, 0.2, 0.9]},
-  "multibounce": {"model": "flat"}
+  "multibounce": {"model": "flat"},
+  "coat": {"model": "varnish", "ior": 1.3}
 }
 D
 bin=build/release
@@ -94,10 +96,10 @@ refused() { ! $bin/nacre-cli info wrong.nacre 2>wrong.txt && has wrong.txt "$1";
 sed 's/0.25/2/' design.nacre >wrong.nacre && refused 'strength: must be a number from 0 to 1'
 sed 's/"strength"/"power"/' design.nacre >wrong.nacre && refused 'power'
 $bin/nacre-cli info design.nacre >info.txt
-for word in dome 'shadowing halved' 'fresnel tinted' 'diffuse evenly' 'multiple bounces flat'; do has info.txt "$word"; done
+for word in dome 'shadowing halved' 'fresnel tinted' 'diffuse evenly' 'multiple bounces flat' 'coat varnish'; do has info.txt "$word"; done
 $bin/nacre-cli check design.nacre
 $bin/nacre-cli bake design.nacre -o tables
-for word in '"dome"' '1 - i + i z' '"tinted"' '"tint"' 'N/(G1 G2)/2' 'specular/2' 'bounce_even e1 e2 1'; do has tables/manifest.json "$word"; done
+for word in '"dome"' '1 - i + i z' '"tinted"' '"tint"' 'N/(G1 G2)/2' 'specular/2' 'bounce_even e1 e2 1' 'D = 1/pi'; do has tables/manifest.json "$word"; done
 /usr/bin/python3 -B tests/docs/formulas.py $bin/nacre-cli . . design.nacre
 $bin/nacre-cli export design.nacre --to glsl -o brdf.glsl
 { echo '#version 330 core'; cat brdf.glsl; echo 'out vec4 c; void main() { c = vec4(nacre_brdf(vec3(0, 0, 1), vec3(0, 0, 1)), 1); }'; } >brdf.frag

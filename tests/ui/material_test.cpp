@@ -34,6 +34,19 @@ TEST_CASE("material: no more than everything goes back to where it came from") {
     CHECK(retro.weight == 0.25);
 }
 
+TEST_CASE("material: a coat is chosen, and its roughness stays within its bounds") {
+    Coat coat;
+    PanelRig rig([&] { ui::coat_panel(coat); });
+    rig.choose("Coat", "Clear coat");
+    REQUIRE(std::holds_alternative<ClearCoat>(coat));
+    rig.enter_number("Coat roughness", "0.25");
+    CHECK(std::get<ClearCoat>(coat).roughness == 0.25);
+    rig.enter_number("Coat roughness", "0");
+    CHECK(std::get<ClearCoat>(coat).roughness >= limits::coat_roughness_min);
+    rig.choose("Coat", "None");
+    CHECK(coat == Coat(NoCoat{}));
+}
+
 TEST_CASE("material: changing the diffuse model keeps the colour") {
     const glm::dvec3 albedo(0.4, 0.05, 0.1);
     Diffuse diffuse = CoupledDiffuse{albedo};

@@ -50,6 +50,7 @@ struct ConductorFresnel {
         "F = (rs + rp)/2: each colour; 0 where eta = 1 and k = 0";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {eta, k}; }
+    ConductorFresnel beneath(double above) const { return {eta / above, k / above}; }
     // Total reflection without loss begins with a kink in F, which no table follows.
     ExtremeClaims extreme_claims() const {
         for (int i = 0; i < 3; ++i)

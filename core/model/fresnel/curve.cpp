@@ -14,7 +14,8 @@ double cosine_at(double theta) { return theta == 90 ? 0 : std::cos(theta * (std:
 
 }  // namespace
 
-Reflectance CurveFresnel::reflectance() const {
+// Drawn as it is to be, whatever it lies in.
+Reflectance CurveFresnel::reflectance(double) const {
     return [points = points](double cosine) {
         // The first point that lies at a smaller cosine.
         const auto after = std::find_if(points.begin(), points.end(),
@@ -27,9 +28,9 @@ Reflectance CurveFresnel::reflectance() const {
     };
 }
 
-ShaderFresnel CurveFresnel::shader() const {
+ShaderFresnel CurveFresnel::shader(double) const {
     static CurveMemory<CurveFresnel> memory;
-    return {.curve = memory.curve_of(*this)};
+    return {.curve = memory.curve_of(*this, 1)};
 }
 
 // The table of R holds the difference to F at k.n, and a step of F with that.

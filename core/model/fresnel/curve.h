@@ -38,7 +38,7 @@ struct CurveFresnel {
     static constexpr const char* formula = curve_formula;
     static constexpr FresnelTables tables = FresnelTables::exact;
     static constexpr bool is_curve = true;
-    ShaderFresnel shader() const;
+    ShaderFresnel shader(double above = 1) const;
     static std::vector<std::pair<const char*, CurveFresnel>> singular() {
         return {{"a step at 45 degrees", {{{45, glm::dvec3(1)}, {45.01, glm::dvec3(0)}}}}};
     }
@@ -46,7 +46,7 @@ struct CurveFresnel {
     ExtremeClaims extreme_claims() const;
 
     // As drawn.
-    Reflectance reflectance() const;
+    Reflectance reflectance(double above = 1) const;
     static CurveFresnel of_reflectance(const Reflectance& wanted);
 };
 

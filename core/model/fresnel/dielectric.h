@@ -35,10 +35,12 @@ struct DielectricFresnel {
     }
 
     static constexpr const char* formula =
-        "root = sqrt(ior^2 - 1 + c^2); rs = (c - root)/(c + root); rp = (ior^2 c - root)/(ior^2 c + root); "
+        "root = sqrt(max(0, ior^2 - 1 + c^2)); rs = (c - root)/(c + root); rp = (ior^2 c - root)/(ior^2 c + "
+        "root); "
         "F = (rs^2 + rp^2)/2: 0 where ior = 1";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {glm::dvec3(ior), {}}; }
+    DielectricFresnel beneath(double above) const { return {ior / above}; }
     static std::vector<std::pair<const char*, DielectricFresnel>> singular() {
         return {{"ior 1 + 1e-12", {1 + 1e-12}}};
     }

@@ -56,6 +56,7 @@ struct F82Fresnel {
         "c)^6)";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {f0, (f0 + (1.0 - f0) * weight82) * (1.0 - f82) / dip82}; }
+    F82Fresnel beneath(double above) const { return {reflectance_beneath(f0, above), f82}; }
     // A dark f0 and a dark edge: F is 0 over a range of angles, with a kink at either end.
     static std::vector<std::pair<const char*, F82Fresnel>> singular() {
         return {{"f0 0.02, F82 0", {glm::dvec3(0.02), glm::dvec3(0)}}};

@@ -51,11 +51,12 @@ std::optional<KindFault> FilmFresnel::fault() const {
         fmt::format("{:g}", thickness)};
 }
 
-Reflectance FilmFresnel::reflectance() const {
+Reflectance FilmFresnel::reflectance(double above) const {
     std::vector<OpticalFilm> films;
     for (const FilmLayer& layer : stack) films.push_back({layer.ior, layer.thickness});
     const bool coloured = std::holds_alternative<ConductorFresnel>(over);
-    return [base = over, films, coloured, nodes = spectral_nodes(steps_per_nanometre(stack))](double cosine) {
+    return [base = over, films, coloured, above,
+            nodes = spectral_nodes(steps_per_nanometre(stack))](double cosine) {
         dvec3 colour{0};
         for (const SpectralNode& node : nodes) {
             dvec3 reflected{0};
@@ -63,16 +64,16 @@ Reflectance FilmFresnel::reflectance() const {
                 reflected[c] = c > 0 && !coloured
                                    ? reflected[0]
                                    : film_reflectance(films, std::visit(BaseIndex{node.wavelength, c}, base),
-                                                      node.wavelength, cosine);
+                                                      node.wavelength, cosine, above);
             colour += node.weight * reflected;
         }
         return colour;
     };
 }
 
-ShaderFresnel FilmFresnel::shader() const {
+ShaderFresnel FilmFresnel::shader(double above) const {
     static CurveMemory<FilmFresnel> memory;
-    return {.curve = memory.curve_of(*this)};
+    return {.curve = memory.curve_of(*this, above)};
 }
 
 std::vector<std::pair<const char*, FilmFresnel>> FilmFresnel::singular() {

@@ -79,11 +79,11 @@ struct FilmFresnel {
     static constexpr const char* formula = curve_formula;
     static constexpr FresnelTables tables = FresnelTables::exact;
     static constexpr bool is_curve = true;
-    ShaderFresnel shader() const;
+    ShaderFresnel shader(double above = 1) const;
     static std::vector<std::pair<const char*, FilmFresnel>> singular();
 
     // As integrated, not clipped.
-    Reflectance reflectance() const;
+    Reflectance reflectance(double above = 1) const;
     // One film, on a dielectric for a dark colour and on the nearest measured material otherwise.
     static FilmFresnel of_reflectance(const Reflectance& wanted);
 };

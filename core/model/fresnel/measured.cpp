@@ -37,19 +37,19 @@ const std::vector<Seen>& seen_materials() {
 
 }  // namespace
 
-Reflectance MeasuredFresnel::reflectance() const {
-    return [material = material, nodes = spectral_nodes(1)](double cosine) {
+Reflectance MeasuredFresnel::reflectance(double above) const {
+    return [material = material, above, nodes = spectral_nodes(1)](double cosine) {
         dvec3 colour{0};
         for (const SpectralNode& node : nodes)
-            colour += node.weight *
-                      film_reflectance({}, index_at(material, node.wavelength), node.wavelength, cosine);
+            colour += node.weight * film_reflectance({}, index_at(material, node.wavelength), node.wavelength,
+                                                     cosine, above);
         return colour;
     };
 }
 
-ShaderFresnel MeasuredFresnel::shader() const {
+ShaderFresnel MeasuredFresnel::shader(double above) const {
     static CurveMemory<MeasuredFresnel> memory;
-    return {.curve = memory.curve_of(*this)};
+    return {.curve = memory.curve_of(*this, above)};
 }
 
 MeasuredFresnel MeasuredFresnel::of_reflectance(const Reflectance& wanted) {

@@ -37,10 +37,10 @@ struct MeasuredFresnel {
     static constexpr const char* formula = curve_formula;
     static constexpr FresnelTables tables = FresnelTables::exact;
     static constexpr bool is_curve = true;
-    ShaderFresnel shader() const;
+    ShaderFresnel shader(double above = 1) const;
 
     // As integrated, not clipped.
-    Reflectance reflectance() const;
+    Reflectance reflectance(double above = 1) const;
     // The material whose colour straight on and at 82 degrees is nearest.
     static MeasuredFresnel of_reflectance(const Reflectance& wanted);
     // Straight on, clipped; `index` counts the materials.

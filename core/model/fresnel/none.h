@@ -18,6 +18,7 @@ struct NoFresnel {
     static constexpr const char* formula = "F = 1";
     static constexpr FresnelTables tables = FresnelTables::none;
     ShaderFresnel shader() const { return {}; }
+    NoFresnel beneath(double) const { return {}; }
     static NoFresnel of_reflectance(const Reflectance&) { return {}; }
 };
 

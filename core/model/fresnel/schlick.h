@@ -34,6 +34,7 @@ struct SchlickFresnel {
     static constexpr const char* formula = "F = f0 + (1 - f0) (1 - c)^5";
     static constexpr FresnelTables tables = FresnelTables::linear;
     ShaderFresnel shader() const { return {f0, {}}; }
+    SchlickFresnel beneath(double above) const { return {reflectance_beneath(f0, above)}; }
     static SchlickFresnel of_reflectance(const Reflectance& wanted) {
         return {glm::clamp(wanted(1), 0.0, 1.0)};
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/exponential.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
@@ -23,6 +24,16 @@ struct ShaderFresnel {
     std::shared_ptr<const FresnelCurve> curve =
         nullptr;  // of a model that is a table; a is then left to describe it
 };
+
+// What in air reflects f0 straight on, as an index without absorption would, seen in a medium of index
+// `above`:
+// ((n - above)/(n + above))^2, n = (1 + sqrt f0)/(1 - sqrt f0).
+inline glm::dvec3 reflectance_beneath(glm::dvec3 f0, double above) {
+    if (above == 1) return f0;
+    const glm::dvec3 root = glm::sqrt(f0),
+                     q = ((1.0 + root) - above * (1.0 - root)) / ((1.0 + root) + above * (1.0 - root));
+    return q * q;
+}
 
 // What the tables of R hold besides R with F = 1.
 enum class FresnelTables {

@@ -4,7 +4,6 @@
 #include <deque>
 #include <memory>
 #include <mutex>
-#include <utility>
 
 #include "core/model/fresnel/shader_fresnel.h"
 
@@ -20,22 +19,28 @@ FresnelCurve tabulated(const Reflectance& reflectance);
 template <class Model>
 class CurveMemory {
   public:
-    std::shared_ptr<const FresnelCurve> curve_of(const Model& model) {
+    std::shared_ptr<const FresnelCurve> curve_of(const Model& model, double above) {
         {
             const std::scoped_lock lock(mutex_);
-            for (const auto& [known, curve] : kept_)
-                if (known == model) return curve;
+            for (const Kept& kept : kept_)
+                if (kept.model == model && kept.above == above) return kept.curve;
         }
-        auto curve = std::make_shared<const FresnelCurve>(tabulated(model.reflectance()));
+        auto curve = std::make_shared<const FresnelCurve>(tabulated(model.reflectance(above)));
         const std::scoped_lock lock(mutex_);
-        kept_.emplace_front(model, curve);
+        kept_.push_front({model, above, curve});
         if (kept_.size() > 8) kept_.pop_back();
         return curve;
     }
 
   private:
+    struct Kept {
+        Model model;
+        double above;  // index of what it lies in
+        std::shared_ptr<const FresnelCurve> curve;
+    };
+
     std::mutex mutex_;
-    std::deque<std::pair<Model, std::shared_ptr<const FresnelCurve>>> kept_;
+    std::deque<Kept> kept_;
 };
 
 }  // namespace nacre

@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// A medium, and a wave in it that came from air at `sine`.
+// A medium, and a wave in it whose sine in air would be `sine`.
 struct Wave {
     Complex index;
     Complex cosine;
@@ -41,11 +41,11 @@ Complex beneath_film(Complex border, Complex below, Complex phase) {
 }  // namespace
 
 double film_reflectance(std::span<const OpticalFilm> films, Complex substrate, double wavelength,
-                        double cosine) {
+                        double cosine, double above) {
     const double c = std::max(cosine, 1e-7);  // at 0 a film of index 1 over another medium would be 0/0
-    const double sine = std::sqrt(std::max(1 - c * c, 0.0));
+    const double sine = above * std::sqrt(std::max(1 - c * c, 0.0));
     Wave below(substrate, sine);
-    const auto index_above = [&](std::size_t i) { return i == 0 ? 1.0 : films[i - 1].ior; };
+    const auto index_above = [&](std::size_t i) { return i == 0 ? above : films[i - 1].ior; };
     Amplitudes r = border(Wave(index_above(films.size()), sine), below);
     for (std::size_t i = films.size(); i > 0; --i) {
         const Wave film(films[i - 1].ior, sine);

@@ -12,10 +12,11 @@ struct OpticalFilm {
     double thickness;
 };
 
-// Of films between air and a substrate of index n + i k, the outermost first, unpolarised: what Airy's sum
-// gives for one film (Born & Wolf, sec. 7.6 and 14.4.1), from the substrate up for more. Wavelength in nm,
-// cosine in air from 0 to 1. 0 to 1; where every index is 1 nothing is reflected.
+// Of films between a medium of index `above` and a substrate of index n + i k, the outermost first,
+// unpolarised: what Airy's sum gives for one film (Born & Wolf, sec. 7.6 and 14.4.1), from the substrate up
+// for more. Wavelength in nm, cosine in that medium from 0 to 1. 0 to 1; where every index is the same
+// nothing is reflected.
 double film_reflectance(std::span<const OpticalFilm> films, std::complex<double> substrate, double wavelength,
-                        double cosine);
+                        double cosine, double above = 1);
 
 }  // namespace nacre

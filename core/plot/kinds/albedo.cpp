@@ -19,7 +19,8 @@ struct AlbedoAt {
 
 AlbedoAt albedo_at(const Tables& tables, dvec3 k) {
     k.z = std::max(k.z, 0.0);
-    const Shading<double>& shading = tables.shading;
+    Shading<double> shading = tables.shading;
+    shading.kinds.coat = kind_index<Coat, NoCoat>();  // of the facets in their medium
     AlbedoValues v = read_albedo(shading, k, tables.needs.fresnel_tables);
     if (shading.kinds.retro) {
         const AlbedoValues behind = read_albedo(shading, shading.turned(k), tables.needs.fresnel_tables);

@@ -24,6 +24,7 @@ struct TintedFresnel {
     static constexpr const char* formula = "F = tint";
     static constexpr FresnelTables tables = FresnelTables::exact;
     ShaderFresnel shader() const { return {tint, {}}; }
+    TintedFresnel beneath(double) const { return *this; }
     static TintedFresnel of_reflectance(const Reflectance& wanted) {
         return {glm::clamp(wanted(1), 0.0, 1.0)};
     }
