@@ -35,10 +35,6 @@ class CoatLightIntegral {
 
   private:
     using Direction = Shading<double>::Direction;
-    struct End {
-        dvec3 k;
-        Direction direction;
-    };
     // Where a direction lies between the nodes.
     struct Spot {
         std::size_t node[4];

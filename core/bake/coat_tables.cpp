@@ -121,7 +121,9 @@ class Making {
     Effort effort_;
 };
 
-bool same_lobe(const ShaderCoat& a, const ShaderCoat& b) { return a.width == b.width && a.ior == b.ior; }
+bool is_lobe_of(const CoatLobe& lobe, const Coat& coat, const ShaderCoat& numbers) {
+    return lobe.kind == coat.index() && lobe.coat.width == numbers.width && lobe.coat.ior == numbers.ior;
+}
 
 }  // namespace
 
@@ -133,8 +135,8 @@ void add_coat_tables(Tables& tables, const StretchedGrid& grid, const Coat& coat
     shading.surface.coat_ior = numbers.ior;
     shading.surface.coat_depth = numbers.depth;
     shading.kinds.coat = static_cast<int>(coat.index());
-    if (!known || !same_lobe(known->coat, numbers))
-        known = CoatLobe{numbers, coat_albedo_table(shading, workers), coat_facets(coat)};
+    if (!known || !is_lobe_of(*known, coat, numbers))
+        known = CoatLobe{coat.index(), numbers, coat_albedo_table(shading, workers), coat_facets(coat)};
     known->coat = numbers;
     tables.coat_facets = known->facets;
     Making making(tables, grid, workers);

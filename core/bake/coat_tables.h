@@ -12,6 +12,7 @@ namespace nacre {
 
 // Of the coat alone, whatever lies beneath.
 struct CoatLobe {
+    std::size_t kind;  // its place in Coat
     ShaderCoat coat;
     std::vector<float> albedo;  // R_c
     std::shared_ptr<const FacetDistribution> facets;
