@@ -1,31 +1,27 @@
-# nacre_embed(TARGET FILE...): makes objects whose function
-# `std::string_view nacre::shader_text(std::string_view name)` returns the text of each file.
-function(nacre_embed target)
+# nacre_embed_texts(TARGET FUNCTION FOLDER FILE...): adds a source to the target whose function
+# `std::string_view nacre::FUNCTION(std::string_view name)` returns the text of each file by its name in the folder, or
+# an empty one.
+function(nacre_embed_texts target function folder)
     set(body "")
     foreach(file IN LISTS ARGN)
-        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-        file(READ ${file} text)
-        file(RELATIVE_PATH name ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/${file})
-        string(APPEND body "    {\"${name}\", R\"nacre_text(${text})nacre_text\"},\n")
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/${file})
+        file(READ ${folder}/${file} text)
+        string(APPEND body "        {\"${file}\", R\"nacre_text(${text})nacre_text\"},\n")
     endforeach()
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
     file(CONFIGURE OUTPUT ${source} @ONLY CONTENT
-"#include \"shaders/shader_text.h\"
+"#include <string_view>
 #include <utility>
 namespace nacre {
-namespace {
-constexpr std::pair<std::string_view, std::string_view> texts[] = {
-@body@};
-}
-std::string_view shader_text(std::string_view name) {
+std::string_view ${function}(std::string_view name);
+std::string_view ${function}(std::string_view name) {
+    static constexpr std::pair<std::string_view, std::string_view> texts[] = {
+@body@    };
     for (const auto& [key, text] : texts)
         if (key == name) return text;
     return {};
 }
 }  // namespace nacre
 ")
-    add_library(${target} OBJECT ${source})
-    nacre_publish(${NACRE_ROOMS}/shaders shaders)
-    target_include_directories(${target} PUBLIC ${NACRE_ROOMS}/shaders)
-    target_link_libraries(${target} PRIVATE nacre_options)
+    target_sources(${target} PRIVATE ${source})
 endfunction()

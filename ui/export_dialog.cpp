@@ -59,7 +59,22 @@ void options(ExportDialog& dialog) {
                 "tables; all "
                 "of them together take at most 64 KiB, or 256 KiB where that does not suffice."},
            dialog.tolerance);
-    if (dialog.formats[dialog.chosen].has_names)
+    if (dialog.formats[dialog.chosen].has_error)
+        slider(
+            {.label = "Misplaced light",
+             .low = 1e-3,
+             .high = 0.1,
+             .least = 1e-4,
+             .most = 1,
+             .reset = 0.01,
+             .format = "%.1e",
+             .logarithmic = true,
+             .tooltip =
+                 "The part of the light that may leave another way than the design sends it. The file is the "
+                 "smallest that keeps to it, or the largest that the format allows; what was reached is "
+                 "told."},
+            dialog.error);
+    else if (dialog.formats[dialog.chosen].has_names)
         text_field(
             "Prefix", dialog.prefix, "",
             "The prefix of the names in the file. Designs with different prefixes fit into one shader.");
@@ -74,11 +89,13 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     format_list(dialog);
     ImGui::Spacing();
     const ExportChoice& format = dialog.formats[dialog.chosen];
-    const bool sound = !format.has_names || dialog.prefix_problem.empty();
-    const std::string reason = "The prefix " + dialog.prefix_problem + ".";
+    const bool named = !format.has_names || dialog.prefix_problem.empty();
+    const bool sound = named && !format.refuses;
+    const std::string reason = named ? format.holds : "The prefix " + dialog.prefix_problem + ".";
     const float size = ImGui::GetFontSize();
-    ImGui::BeginChild("about", ImVec2(0, 2.6f * size));
-    dim_text(sound ? format.about : reason);
+    ImGui::BeginChild("about", ImVec2(0, 4.2f * size));
+    dim_text(named ? format.about : reason);
+    if (named && !format.holds.empty()) dim_text(format.holds);
     ImGui::EndChild();
     options(dialog);
     ImGui::Spacing();

@@ -77,6 +77,7 @@ ReportAnswer export_report(const ExportReport& report) {
     heading(as_utf8(report.title).c_str());
     dim_text(as_utf8(list_of(report.files) + " in " + report.folder));
     note_item("Exported files");
+    for (const std::string& note : report.notes) dim_text(as_utf8(note));
     ImGui::Spacing();
     for (std::size_t i = 0; i < report.steps.size(); ++i) step_row(i + 1, report.steps[i]);
     if (!report.problem.empty()) {

@@ -11,6 +11,7 @@ struct ExportReport {
     std::string title;   // "Exported satin.glsl"
     std::string folder;  // that the files are in
     std::vector<std::string> files = {};
+    std::vector<std::string> notes = {};  // what is to be known of the files: a sentence each
     std::vector<std::string> steps;
     std::string problem = {};  // why the folder could not be shown, or empty
 };

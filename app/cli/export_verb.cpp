@@ -22,6 +22,7 @@ struct ExportOptions {
     std::string format;
     std::string output;
     bool list = false;
+    bool json = false;
     bool verbose = false;
     ExportSettings settings = {};
 };
@@ -29,7 +30,7 @@ struct ExportOptions {
 std::string list_of_formats(const std::string& prefix) {
     std::string text;
     for (const ExportFormat* format : export_formats())
-        text += fmt::format("{:<6} {}\n", format->name, about(*format, prefix));
+        text += fmt::format("{:<9} {}\n", format->name, about(*format, prefix));
     return text;
 }
 
@@ -52,7 +53,7 @@ void tell_next(const ExportFormat& format, const ExportOptions& options, const s
 
 int export_design(const ExportOptions& options, Interrupt& interrupt) {
     if (options.list) {
-        write_output(list_of_formats(options.settings.prefix));
+        write_output(options.json ? formats_json() : list_of_formats(options.settings.prefix));
         return 0;
     }
     const ExportFormat* format = export_format(options.format);
@@ -62,22 +63,30 @@ int export_design(const ExportOptions& options, Interrupt& interrupt) {
                   files_of(design, options.design));
     const ExportWriter write = about_file(options.design, [&] {
         Progress progress("baking");
-        return format->prepare(design, options.settings, interrupt.token(),
-                               [&](double done) { progress.report(done); });
+        return prepare_export(*format, design, options.settings, interrupt.token(),
+                              [&](double done) { progress.report(done); });
     });
     if (to_stream) {
+        if (!write.is_one_file())
+            throw UserError("", "-o -", fmt::format("the format {} is more than one file", format->name));
         write_output(write.bytes());
     } else {
         std::vector<fs::path> written;
         interrupt.write_files([&] { written = write(options.output); });
         tell_next(*format, options, written);
     }
+    std::string notes;
+    for (const std::string& note : write.notes) notes += note + "\n";
+    if (!notes.empty()) write_message(notes, std::chrono::seconds(1));
     return 0;
 }
 
 void declare(Command& command, Action& action) {
     const auto options = std::make_shared<ExportOptions>();
     const auto list = command.flag("--list", options->list, "the formats there are");
+    command
+        .flag("--json", options->json, "with --list: as JSON, with each format's options and what it holds")
+        .needs(list);
     const auto design = command.option("DESIGN", options->design, "a .nacre file; - is standard input");
     const auto format = command.option("--to", options->format, "a format of --list").one_of(format_names());
     const auto output = command.option("-o,--output", options->output,
@@ -94,6 +103,13 @@ void declare(Command& command, Action& action) {
                     "several designs fit into one shader")
             .shows_default()
             .check(prefix_problem);
+    const auto error = command
+                           .option("--error", options->settings.error,
+                                   "the part of the light that may leave another way than the design sends "
+                                   "it, where a format's size "
+                                   "follows it: as far as the largest size of the format goes")
+                           .shows_default()
+                           .within(1e-4, 1);
     command.when_chosen([=, &action] {
         if (!list.given())
             for (const Option needed : {design, format, output}) needed.demand();
@@ -102,6 +118,8 @@ void declare(Command& command, Action& action) {
             throw_wrong_usage("-o -: " + options->format + " is a folder of files");
         if (prefix.given() && chosen && !chosen->has_names)
             throw_wrong_usage(fmt::format("--prefix: the format {} has no names", chosen->name));
+        if (error.given() && chosen && !chosen->has_error)
+            throw_wrong_usage(fmt::format("--error: the size of {} does not follow it", chosen->name));
         action = [options](Interrupt& interrupt) { return export_design(*options, interrupt); };
     });
 }

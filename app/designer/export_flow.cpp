@@ -56,13 +56,29 @@ std::string replaced(const fs::path& output) {
 
 ExportFlow::ExportFlow(fs::path folder_opener) : opener_program_(std::move(folder_opener)) {
     for (const ExportFormat* format : export_formats())
-        dialog_.formats.push_back({std::string(format->title), std::string(), false, format->has_names});
+        dialog_.formats.push_back({.title = std::string(format->title),
+                                   .about = {},
+                                   .holds = {},
+                                   .has_names = format->has_names,
+                                   .has_error = format->has_error});
     for (const PictureFormat& format : pictures)
-        dialog_.formats.push_back({format.title, format.about, true, false});
+        dialog_.formats.push_back(
+            {.title = format.title, .about = format.about, .holds = {}, .is_picture = true});
+}
+
+// Once for each dialog: whether p leans is found by integrals.
+void ExportFlow::tell_holdings(const Design& design) {
+    if (std::exchange(held_, true)) return;
+    for (std::size_t i = 0; i < export_formats().size(); ++i) {
+        const DesignHolding holding = holding_of(*export_formats()[i], design);
+        dialog_.formats[i].holds = holding.text;
+        dialog_.formats[i].refuses = holding.refused;
+    }
 }
 
 void ExportFlow::draw_options(const Document& document) {
     dialog_.prefix_problem = prefix_problem(dialog_.prefix);
+    tell_holdings(document.design);
     for (std::size_t i = 0; i < export_formats().size(); ++i)
         dialog_.formats[i].about = about(*export_formats()[i], dialog_.prefix);
     const ui::DialogAnswer answer = ui::export_dialog(dialog_);
@@ -136,7 +152,7 @@ void ExportFlow::begin(const Document& document, PreviewPane& preview, const Sce
 
 void ExportFlow::start_work(const Document& document, PreviewPane& preview, const Scene& scene) {
     settings_->export_folder = output_.parent_path();
-    written_ = std::make_shared<std::vector<fs::path>>();
+    written_ = std::make_shared<Written>();
     std::string done = "Exported " + output_.filename().string();
     if (is_picture(dialog_.chosen)) {
         const glm::ivec2 size(std::lround(dialog_.width), std::lround(dialog_.height));
@@ -144,20 +160,21 @@ void ExportFlow::start_work(const Document& document, PreviewPane& preview, cons
         task_.start([image = preview.picture(scene, size, linear), output = output_, done,
                      written = written_](const auto&, const auto&) {
             write_image(output, image.size, image.rgb);
-            *written = {output};
+            written->files = {output};
             return done;
         });
         return;
     }
     const ExportFormat* format = export_formats()[dialog_.chosen];
-    ExportSettings settings{.prefix = dialog_.prefix};
+    ExportSettings settings{.prefix = dialog_.prefix, .error = dialog_.error};
     settings.bake.tolerance = dialog_.tolerance;
     task_.start([=, design = document.design, output = output_, written = written_](
                     const std::stop_token& stop, const auto& progress) {
         set_niceness(worker_niceness);
-        const ExportWriter write = format->prepare(design, settings, stop, progress);
+        const ExportWriter write = prepare_export(*format, design, settings, stop, progress);
         if (stop.stop_requested()) return std::string();
-        *written = write(output);
+        written->files = write(output);
+        written->notes = write.notes;
         return done;
     });
 }
@@ -169,8 +186,9 @@ std::optional<std::string> ExportFlow::draw_work() {
         if (step_ == Step::problem) return {};
         if (ended->message.empty()) return "The export was stopped";
         const fs::path folder = extension_of(dialog_.chosen).empty() ? output_ : output_.parent_path();
-        report_ = ui::ExportReport{.title = ended->message, .folder = folder.string(), .steps = steps()};
-        for (const fs::path& file : *written_) report_->files.push_back(file.filename().string());
+        report_ = ui::ExportReport{
+            .title = ended->message, .folder = folder.string(), .notes = written_->notes, .steps = steps()};
+        for (const fs::path& file : written_->files) report_->files.push_back(file.filename().string());
         opener_.forget_problem();
         return ended->message;
     }

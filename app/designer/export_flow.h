@@ -28,6 +28,7 @@ class ExportFlow {
 
     void start() {
         step_ = Step::options;
+        held_ = false;
         report_.reset();
     }
     // `inputs`: what is never written, see output_guard.h.
@@ -54,6 +55,7 @@ class ExportFlow {
     enum class Step { none, options, file, replace, work, problem };
 
     void draw_options(const Document& document);
+    void tell_holdings(const Design& design);
     void ask_file(const Document& document);
     void draw_file(const Document& document, PreviewPane& preview, const Scene& scene);
     void draw_question(const Document& document, PreviewPane& preview, const Scene& scene);
@@ -68,10 +70,15 @@ class ExportFlow {
     std::function<std::vector<std::filesystem::path>()> inputs_;
     Step step_ = Step::none;
     ui::ExportDialog dialog_;
+    bool held_ = false;  // the dialog says what each format holds of the design
     FileChooser chooser_;
     std::filesystem::path output_;
     BackgroundTask task_;
-    std::shared_ptr<std::vector<std::filesystem::path>> written_;  // by the task
+    struct Written {
+        std::vector<std::filesystem::path> files;
+        std::vector<std::string> notes;
+    };
+    std::shared_ptr<Written> written_;  // by the task
     std::optional<ui::ExportReport> report_;
     std::filesystem::path opener_program_;
     FolderOpener opener_;

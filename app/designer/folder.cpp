@@ -6,7 +6,6 @@
 #include <system_error>
 #include <tuple>
 
-#include "core/base/file_extension.h"
 #include "core/base/system/shared_library.h"
 
 namespace nacre {
@@ -55,7 +54,11 @@ ui::Listing list_folder(const fs::path& folder, const std::vector<std::string>& 
 }
 
 bool has_extension(const fs::path& file, const std::vector<std::string>& extensions) {
-    return std::find(extensions.begin(), extensions.end(), extension_of(file)) != extensions.end();
+    std::string name = file.filename().string();
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::any_of(extensions.begin(), extensions.end(), [&](const std::string& extension) {
+        return name.size() > extension.size() && name.ends_with(extension);
+    });
 }
 
 std::vector<Preset> list_presets(const fs::path& folder) {

@@ -16,7 +16,8 @@ inline constexpr const char* design_extension = ".nacre";
 ui::Listing list_folder(const std::filesystem::path& folder,
                         const std::vector<std::string>& extensions = {design_extension});
 
-// Whether the file has one of these lower-case extensions, ignoring case.
+// Whether the file has one of these lower-case extensions, ignoring case; they may be longer than a suffix:
+// "_rgb.bsdf".
 bool has_extension(const std::filesystem::path& file, const std::vector<std::string>& extensions);
 
 struct Preset {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/image/luminance.h"
 #include "core/image/srgb.h"
 
 namespace nacre {
@@ -20,9 +21,6 @@ dvec3 colour_at(std::span<const float> picture, std::size_t pixel, std::size_t c
     const float* const c = &picture[pixel * channels];
     return {c[0], c[1], c[2]};
 }
-
-// Of linear Rec. 709.
-double luminance(dvec3 colour) { return glm::dot(colour, dvec3{0.2126, 0.7152, 0.0722}); }
 
 }  // namespace
 

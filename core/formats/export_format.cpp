@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/base/system/atomic_file.h"
@@ -32,6 +33,48 @@ std::span<const ExportFormat* const> export_formats() {
 #undef FORMAT
     };
     return formats;
+}
+
+DesignHolding holding_of(const ExportFormat& format, const Design& design) {
+    std::string refused, fitted;
+    for (const FeatureInfo& info : all_features()) {
+        const Holding holding = format.holds[info.feature];
+        if (holding == Holding::exact || !has_feature(design, info.feature)) continue;
+        std::string& list = holding == Holding::refused ? refused : fitted;
+        list += (list.empty() ? "" : ", ") + std::string(info.title);
+    }
+    if (!refused.empty())
+        return {true, fmt::format("This design has what the format cannot hold: {}.", refused)};
+    if (fitted.empty()) return {false, "Holds this design exactly."};
+    return {false, fmt::format("Holds this design within an error that is measured and told: {}.", fitted)};
+}
+
+ExportWriter prepare_export(const ExportFormat& format, const Design& design, const ExportSettings& settings,
+                            const std::stop_token& stop, const std::function<void(double)>& progress) {
+    if (const DesignHolding holding = holding_of(format, design); holding.refused)
+        throw UserError("", fmt::format("export to {}", format.name), holding.text);
+    return format.prepare(design, settings, stop, progress);
+}
+
+std::string formats_json() {
+    using Json = nlohmann::ordered_json;
+    const ExportSettings otherwise;
+    Json list = Json::array();
+    for (const ExportFormat* format : export_formats()) {
+        Json options = {{"tolerance", otherwise.bake.tolerance}};
+        if (format->has_names) options["prefix"] = otherwise.prefix;
+        if (format->has_error) options["error"] = otherwise.error;
+        Json holds = Json::object();
+        for (const FeatureInfo& info : all_features())
+            holds[std::string(info.name)] = name_of(format->holds[info.feature]);
+        list.push_back({{"name", format->name},
+                        {"title", format->title},
+                        {"about", about(*format, otherwise.prefix)},
+                        {"extension", format->extension},
+                        {"defaults", options},
+                        {"holds", holds}});
+    }
+    return list.dump(2) + "\n";
 }
 
 std::vector<fs::path> one_file(const Design&, const fs::path& file) { return {file}; }

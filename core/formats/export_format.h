@@ -13,6 +13,7 @@
 
 #include "core/bake/bake.h"
 #include "core/design/design.h"
+#include "core/formats/design_features.h"
 
 namespace nacre {
 
@@ -27,18 +28,23 @@ class ExportWriter {
     // Each file appears whole or not at all; what fails is a UserError about it. Returns the files.
     std::vector<std::filesystem::path> operator()(const std::filesystem::path& output) const;
 
-    // The file, of a format that is one.
+    // Whether it is one file, whose bytes() can go into a stream.
+    bool is_one_file() const { return !fill_; }
     const std::string& bytes() const { return bytes_; }
+
+    // What whoever exports should know of this design in this format: a sentence each.
+    std::vector<std::string> notes;
 
   private:
     std::string bytes_;
-    // Of a format that is a folder.
-    std::function<std::vector<std::filesystem::path>(const std::filesystem::path& folder)> fill_;
+    // Of a format that is several files.
+    std::function<std::vector<std::filesystem::path>(const std::filesystem::path& output)> fill_;
 };
 
 struct ExportSettings {
     BakeOptions bake = {};
     std::string prefix = "nacre";  // of every name that a file in a shading language defines
+    double error = 0.01;           // the part of the light that a format of limited resolution may misplace
 };
 
 // Of an export: one step a line. It has no default, so that no format leaves it out.
@@ -59,9 +65,11 @@ struct ExportFormat {
     NextSteps next;              // what to do with it in the program that it is for; see next_steps()
     std::string_view extension;  // of its file; empty: it is a folder
     bool has_names;              // it defines names, which begin with ExportSettings::prefix
+    bool has_error;              // its size follows ExportSettings::error
+    Holdings holds;              // how it has what designs have
     // Every file that it may write.
     std::vector<std::filesystem::path> (*files)(const Design& design, const std::filesystem::path& output);
-    // Bakes, measures and composes what writes it. Throws what bake() throws.
+    // Bakes, measures and composes what writes it; see prepare_export().
     ExportWriter (*prepare)(const Design& design, const ExportSettings& settings, const std::stop_token& stop,
                             const std::function<void(double)>& progress);
 };
@@ -71,6 +79,21 @@ std::span<const ExportFormat* const> export_formats();
 #define FORMAT(name) extern const ExportFormat name##_format;
 #include "core/formats/format_list.inc"
 #undef FORMAT
+
+// How a format has what a design has, for whoever chooses one.
+struct DesignHolding {
+    bool refused;
+    std::string text;  // sentences
+};
+DesignHolding holding_of(const ExportFormat& format, const Design& design);
+
+// Bakes, measures and composes what writes the design in this format. A UserError where the design has what
+// the format refuses; throws what bake() throws.
+ExportWriter prepare_export(const ExportFormat& format, const Design& design, const ExportSettings& settings,
+                            const std::stop_token& stop, const std::function<void(double)>& progress);
+
+// The formats as JSON: names, texts, options with their defaults, and what each holds.
+std::string formats_json();
 
 // `files` of a format that is one file.
 std::vector<std::filesystem::path> one_file(const Design& design, const std::filesystem::path& file);

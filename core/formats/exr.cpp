@@ -47,6 +47,8 @@ const ExportFormat exr_format{.name = "exr",
                                   "explains every key.",
                               .extension = "",
                               .has_names = false,
+                              .has_error = false,
+                              .holds = Holdings(Holding::exact),
                               .files = files,
                               .prepare = prepare};
 

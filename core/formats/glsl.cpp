@@ -24,6 +24,8 @@ const ExportFormat glsl_format{
         "Apply sRGB or the display's own curve last. docs/glsl.md has a caller in 37 lines.",
     .extension = ".glsl",
     .has_names = true,
+    .has_error = false,
+    .holds = Holdings(Holding::exact),
     .files = one_file,
     .prepare = prepare};
 

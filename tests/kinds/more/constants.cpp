@@ -21,6 +21,8 @@ const ExportFormat constants_format{.name = "constants",
                                     .next = "Read {file} line by line: a name and its number.",
                                     .extension = ".txt",
                                     .has_names = false,
+                                    .has_error = false,
+                                    .holds = Holdings(Holding::exact),
                                     .files = one_file,
                                     .prepare = prepare};
 
