@@ -140,6 +140,37 @@ TEST_CASE("export --to glsl writes the function") {
     CHECK(list.find("glsl") != std::string::npos);
 }
 
+TEST_CASE("export --list --json and what a format refuses") {
+    const TemporaryFolder folder;
+    const DesignOnDisk design(design_of(GaussianLobe{0.1, 0.4}));
+    const auto list = nlohmann::json::parse(answer({"export", "--list", "--json"}));
+    CHECK(list.size() > 10);
+    CHECK(run_cli({"export", "--json"}).code == 2);
+    const Finished refused = run_cli({"export", design.path(), "--to", "merl", "-o", folder / "a.binary"});
+    CHECK(refused.code == 1);
+    CHECK(refused.err.find("the format cannot hold: anisotropic p") != std::string::npos);
+    CHECK(run_cli({"export", design.path(), "--to", "c", "-o", folder / "a.h", "--error", "0.1"}).code == 2);
+    CHECK(run_cli({"export", design.path(), "--to", "glsl-samplers", "-o", "-"}).code == 1);
+    CHECK(folder.size() == 0);
+    answer({"export", design.path(), "--to", "glsl-samplers", "-o", folder / "a.glsl"});
+    CHECK(read_all(folder / "a.f32").size() % 4096 == 0);
+    CHECK(folder.size() == 2);
+}
+
+TEST_CASE("fit tells what its lobes misplace and writes them") {
+    const TemporaryFolder folder;
+    const DesignOnDisk design(design_of(BeckmannLobe{}));
+    const std::string told = answer({"fit", design.path(), "--lobes", "1", "-o", folder / "a.json"});
+    CHECK(told.find("% of the energy misplaced") != std::string::npos);
+    const auto file = nlohmann::json::parse(read_all(folder / "a.json"));
+    CHECK(file.at("lobes").size() == 1);
+    CHECK(file.at("misplaced") < 0.05);
+    CHECK(file.at("family") == "beckmann");
+    CHECK(run_cli({"fit", design.path(), "--lobes", "65"}).code == 2);
+    CHECK(run_cli({"fit", design.path(), "--target", "standard", "--weights", "view"}).code == 2);
+    CHECK(run_cli({"fit", design.path(), "-o", design.path()}).code == 1);
+}
+
 TEST_CASE("export tells the next steps on standard error, to a terminal or where it is asked to") {
     const TemporaryFolder folder;
     const DesignOnDisk design(design_of(GaussianLobe{}));
