@@ -69,7 +69,7 @@ Candidate fit_weights(const Goal& goal, LobeWeights weights, const FitSettings& 
     double seen = misplaced_energy(model, lobes, goal.pairs);
     const double before = misplaced_energy(model, start, goal.pairs);
     if (!(seen <= before)) {
-        lobes = start;
+        lobes = std::move(start);
         seen = before;
     }
     return {stored(model, lobes, goal.mask), seen};

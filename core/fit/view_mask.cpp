@@ -32,7 +32,7 @@ double ViewMask::visibility_part(const Tables& tables, dvec3 k) {
 }
 
 ViewMask::ViewMask(const Tables& tables) {
-    part_.reserve(side * side);
+    part_.reserve(std::size_t{side} * side);
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
             part_.push_back(visibility_part(tables, texel_direction(column, row, side)));

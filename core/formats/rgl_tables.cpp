@@ -106,7 +106,7 @@ class Maker {
                     static_cast<float>(luminance(value) * shape_.ndf(m) * std::max(0.0, glm::dot(m, wi)) /
                                        warp.per_solid_angle(m));
             }
-        const auto end = drawn + nodes.x * nodes.y;
+        const auto end = drawn + static_cast<std::ptrdiff_t>(nodes.x) * nodes.y;
         const float largest = *std::max_element(drawn, end);
         const float least = largest > 0 ? static_cast<float>(largest * least_luminance) : 1.0F;
         std::transform(drawn, end, drawn, [&](float value) { return std::max(value, least); });

@@ -85,7 +85,7 @@ std::string TreeWriter::operation(const GlslExpression& e, int& own) {
             own = loosest;
             return assignment(e);
         case Kind::unary: {
-            const std::string call = is_vector_type(e.type) ? vector_negative(*e.operands[0]) : "";
+            std::string call = is_vector_type(e.type) ? vector_negative(*e.operands[0]) : "";
             own = call.empty() ? unary_level : member_level;
             if (!call.empty()) return call;
             const bool twice = e.operands[0]->kind == Kind::unary;
