@@ -123,7 +123,7 @@ std::vector<std::string> fit_notes(const LobeFit& fit, const Tables& tables) {
             "The lobes stand for what the facets mirror; what the design sends back is left out.");
     if (fit.misplaced <= bad) return notes;
     notes.emplace_back(fmt::format("The lobes send {:.0f} % of the light elsewhere: the picture will differ.",
-                                100 * fit.misplaced));
+                                   100 * fit.misplaced));
     if (fit.mixture.shape == LobeShape::ggx)
         notes.emplace_back(
             "No number of GGX lobes makes tails lighter than GGX's own; Beckmann lobes have light tails.");
