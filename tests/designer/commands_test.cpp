@@ -108,6 +108,17 @@ TEST_CASE("commands: F12 asks once for a folder and then numbers its pictures") 
     CHECK(glm::ivec2(picture.width, picture.height) == r.designer().preview.size());
 }
 
+TEST_CASE("commands: Share as a web page opens the export with that format") {
+    Rig r;
+    r.play("wait");
+    r.designer().exporter.options().chosen = 0;
+    perform(r.designer(), share_page_command);
+    CHECK(r.designer().exporter.talking());
+    CHECK(export_formats()[r.designer().exporter.options().chosen] == &web_format);
+    r.play("frames 3\nkey Escape\nframes 3");
+    CHECK(!r.designer().exporter.talking());
+}
+
 TEST_CASE("commands: the export dialog writes each format") {
     const TemporaryFolder folder;
     Rig r;
