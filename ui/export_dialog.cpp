@@ -93,7 +93,7 @@ DialogAnswer export_dialog(ExportDialog& dialog) {
     const bool sound = named && !format.refuses;
     const std::string reason = named ? format.holds : "The prefix " + dialog.prefix_problem + ".";
     const float size = ImGui::GetFontSize();
-    ImGui::BeginChild("about", ImVec2(0, 4.2f * size));
+    ImGui::BeginChild("about", ImVec2(0, 5.2f * size));
     dim_text(named ? format.about : reason);
     if (named && !format.holds.empty()) dim_text(format.holds);
     ImGui::EndChild();

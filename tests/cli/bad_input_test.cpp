@@ -119,7 +119,7 @@ TEST_CASE("usage that is wrong is exit code 2 and one line; help and version are
 TEST_CASE("a verb or format that is not there is wrong usage") {
     const DesignOnDisk design(design_of(GaussianLobe{}));
     CHECK(run_cli({"import", "x.obj", "-o", "y"}).code == 2);
-    const Finished format = run_cli({"export", design.path(), "--to", "merl", "-o", "x"});
+    const Finished format = run_cli({"export", design.path(), "--to", "klems", "-o", "x"});
     CHECK(format.code == 2);
     CHECK_MESSAGE(format.err.find("glsl") != format.err.npos, format.err);
 }

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "core/formats/export_format.h"
 #include "tests/designer/changed_files.h"
 
 using namespace nacre;
@@ -54,7 +55,8 @@ TEST_CASE("an output is none of the files that the work came from, whatever it i
     r.play("frames 30\nkey Enter\nframes 3");
     // GLSL over the design by another name, and the preview over the environment map.
     for (const auto& [format, name, input] :
-         {std::tuple(1u, "soft.glsl", "mine.nacre"), std::tuple(3u, "sky.exr", "sky.exr")}) {
+         {std::tuple(std::size_t{1}, "soft.glsl", "mine.nacre"),
+          std::tuple(export_formats().size() + 1, "sky.exr", "sky.exr")}) {
         r.play("key Ctrl+E\nframes 3");
         r.designer().exporter.options().chosen = format;
         r.play("frames 2\nclick \"Choose export file\"\nframes 3");

@@ -171,8 +171,10 @@ TEST_CASE("faults: a picture is the old file or the new one") {
 TEST_CASE("faults: an export of several files is all of the old ones or all of the new ones") {
     for (const ExportFormat* format : export_formats()) {
         const std::string output = "out" + std::string(format->extension);
+        Design changed = design_named("new");
+        changed.specular.intensity = 0.5;  // a format may have no place for a name
         const ExportWriter write[] = {format->prepare(design_named("old"), {.bake = {.threads = 1}}, {}, {}),
-                                      format->prepare(design_named("new"), {.bake = {.threads = 1}}, {}, {})};
+                                      format->prepare(changed, {.bake = {.threads = 1}}, {}, {})};
         const TemporaryFolder folder;
         write[0](folder / output);
         const Files old = files_in(folder.path());

@@ -13,6 +13,7 @@
 
 #include "app/headless/stage.h"
 #include "core/base/error.h"
+#include "core/formats/export_format.h"
 
 namespace nacre::test {
 namespace {
@@ -95,7 +96,7 @@ void without_pictures(const fs::path& folder) {
     take_file(designer, folder / "pictured.nacre");
     hand.told("design", [&] { return designer.files.problem(); });
     hand.answer();
-    export_to(hand, 2, folder / "out.png");
+    export_to(hand, export_formats().size(), folder / "out.png");
     hand.play("key Enter\nframes 3");
     hand.told("export", [&] { return designer.exporter.problem(); });
     hand.answer();
