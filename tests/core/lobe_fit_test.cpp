@@ -151,7 +151,7 @@ TEST_CASE("weights that follow the view have the star" * doctest::skip(cheap)) {
 }
 
 // Of 63 lobes on a wide p some begin with next to no facets, which must not make them needles of any weight.
-TEST_CASE("more lobes than p needs do no harm") {
+TEST_CASE("more lobes than p needs do no harm" * doctest::skip(cheap)) {
     const auto tables = bake(load_design(NACRE_SOURCE_DIR "/presets/satin.nacre"));
     const LobeFit fit = fit_lobes(*tables, {.lobes = 63, .weights = LobeWeights::constant, .steps = 100});
     CHECK(fit.misplaced < 0.4);
@@ -162,7 +162,7 @@ TEST_CASE("more lobes than p needs do no harm") {
     }
 }
 
-TEST_CASE("a fit is the same for any number of threads and again") {
+TEST_CASE("a fit is the same for any number of threads and again" * doctest::skip(cheap)) {
     const auto tables = bake(star());
     FitSettings settings{.lobes = 3, .steps = 20, .threads = 1};
     const LobeFit first = fit_lobes(*tables, settings);

@@ -62,12 +62,12 @@ TEST_CASE("MERL: a pair of directions stands where its readers look it up") {
     }
 }
 
-TEST_CASE("MERL: the file holds the BRDF at its bins, scaled, and -1 below the horizon") {
+TEST_CASE("MERL: the file holds the BRDF at its bins, scaled, and -1 below the horizon" *
+          doctest::skip(cheap)) {
     const Design design = preset("copper");
     const ExportSettings settings;
     const std::string bytes = prepare_export(merl_format, design, settings, {}, {}).bytes();
-    const std::string edges =
-        cheap ? bytes : prepare_export(merl_edge_format, design, settings, {}, {}).bytes();
+    const std::string edges = prepare_export(merl_edge_format, design, settings, {}, {}).bytes();
     REQUIRE(bytes.size() == 34'992'012);
     REQUIRE(edges.size() == bytes.size());
     std::int32_t sizes[3];
@@ -82,7 +82,7 @@ TEST_CASE("MERL: the file holds the BRDF at its bins, scaled, and -1 below the h
         const int h = static_cast<int>(random() % 90), d = static_cast<int>(random() % 90),
                   phi = static_cast<int>(random() % 180);
         const std::size_t at = static_cast<std::size_t>(phi + 180 * (d + 90 * h));
-        for (const auto& [file, part] : {std::pair{&bytes, 0.5}, {&edges, cheap ? 0.5 : 0.0}}) {
+        for (const auto& [file, part] : {std::pair{&bytes, 0.5}, {&edges, 0.0}}) {
             const MerlPair pair = merl_pair(h + part, d + part, phi + part);
             const bool both = pair.k1.z > 0 && pair.k2.z > 0;
             ++(both ? above : below);

@@ -158,12 +158,14 @@ TEST_CASE("measured material: the file holds what its readers want") {
         std::memcpy(&value, rgb.bytes.data() + fields.at("luminance").offset + 4 * i, 4);
         REQUIRE(value > 0);
     }
+    if (cheap) return;
     const auto spectral = fields_of(preset_file("ggx-steel", RglColours::spectral, 0.05).bytes);
     CHECK(spectral.at("spectra").shape[2] == spectral.at("wavelengths").shape[0]);
     CHECK(spectral.count("rgb") == 0);
 }
 
-TEST_CASE("measured material: the error follows what is asked, within the format's sizes") {
+TEST_CASE("measured material: the error follows what is asked, within the format's sizes" *
+          doctest::skip(cheap)) {
     const RglFile coarse = preset_file("ggx-steel", RglColours::rgb, 0.02);
     const RglFile fine = preset_file("ggx-steel", RglColours::rgb, 0.005);
     CHECK(coarse.error.misplaced <= 0.02);
@@ -172,7 +174,6 @@ TEST_CASE("measured material: the error follows what is asked, within the format
     CHECK(fine.error.ninety_fifth < 0.04);
     CHECK(coarse.bytes.size() < fine.bytes.size());
     CHECK(fine.bytes.size() <= 1'000'000);
-    if (cheap) return;
     const RglFile turned = preset_file("brushed-gold", RglColours::rgb, 0.001);
     CHECK(turned.error.misplaced < 0.015);
     CHECK(turned.error.median < 0.003);
@@ -184,6 +185,7 @@ TEST_CASE(
     "measured material: what a reader evaluates is the design, of other pairs than the claim was measured "
     "on") {
     for (const char* name : {"matt-ceramic", "scarlet-car-paint"}) {
+        if (cheap && name == std::string("scarlet-car-paint")) continue;
         CAPTURE(name);
         const Design design = load_design(std::string(NACRE_SOURCE_DIR "/presets/") + name + ".nacre");
         const auto tables = bake(design);

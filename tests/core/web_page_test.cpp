@@ -15,6 +15,7 @@
 #include "core/formats/web_light.h"
 #include "core/formats/web_shader.h"
 #include "core/light/facet_order.h"
+#include "tests/core/cheap.h"
 #include "tests/core/designs.h"
 
 using namespace nacre;
@@ -151,7 +152,8 @@ TEST_CASE(
     CHECK(rounding_error(*tables, wrong) == limits::infinity);
 }
 
-TEST_CASE("a layer of 512 x 512 texels fits into 1.5 MiB as it is, also where its tables are 32-bit floats") {
+TEST_CASE("a layer of 512 x 512 texels fits into 1.5 MiB as it is, also where its tables are 32-bit floats" *
+          doctest::skip(cheap)) {
     const Design plain = noisy_design(512);
     Design metal = plain;
     metal.fresnel = ConductorFresnel{};
