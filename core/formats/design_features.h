@@ -42,7 +42,7 @@ bool has_feature(const Design& design, Feature feature);
 // How a format has one of them.
 enum class Holding {
     exact,   // as the program evaluates it, to rounding
-    fitted,  // within an error that is measured and told
+    fitted,  // sampled anew, as finely as the format allows
     refused  // a design that has it is an error
 };
 

@@ -46,7 +46,7 @@ DesignHolding holding_of(const ExportFormat& format, const Design& design) {
     if (!refused.empty())
         return {true, fmt::format("This design has what the format cannot hold: {}.", refused)};
     if (fitted.empty()) return {false, "Holds this design exactly."};
-    return {false, fmt::format("Holds this design within an error that is measured and told: {}.", fitted)};
+    return {false, fmt::format("Holds this design approximately: {}.", fitted)};
 }
 
 ExportWriter prepare_export(const ExportFormat& format, const Design& design, const ExportSettings& settings,
